@@ -1,0 +1,3 @@
+//! Graph files: RON, decoded with spans, resolved to typed graphs.
+
+pub mod model;

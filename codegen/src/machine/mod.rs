@@ -1,0 +1,1 @@
+//! Evaluates naga IR on the CPU, generic over the number domain.

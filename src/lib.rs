@@ -1,0 +1,1 @@
+//! Terrane: the renderer and the measuring.
