@@ -1,0 +1,46 @@
+//! What remains of a number, vector or colour when another is taken away.
+//! Source: W3C, "WebGPU Shading Language", section 8.7 (arithmetic expressions).
+
+/// sub_f32(1.5, 0.5) == 1.0 +- 1e-6
+/// -> The difference. -2000000..2000000
+fn sub_f32(
+    /// What to take from. -1000000..1000000
+    a: f32,
+    /// What to take away. -1000000..1000000
+    b: f32,
+) -> f32 {
+    return a - b;
+}
+
+/// sub_vec2(vec2f(1.5, -2.0), vec2f(0.5, 4.0)) == vec2f(1.0, -6.0) +- 1e-6
+/// -> The difference. -2000000..2000000
+fn sub_vec2(
+    /// What to take from. -1000000..1000000
+    a: vec2f,
+    /// What to take away. -1000000..1000000
+    b: vec2f,
+) -> vec2f {
+    return a - b;
+}
+
+/// sub_vec3(vec3f(1.5, -2.0, 0.25), vec3f(0.5, 4.0, -1.0)) == vec3f(1.0, -6.0, 1.25) +- 1e-6
+/// -> The difference. -2000000..2000000
+fn sub_vec3(
+    /// What to take from. -1000000..1000000
+    a: vec3f,
+    /// What to take away. -1000000..1000000
+    b: vec3f,
+) -> vec3f {
+    return a - b;
+}
+
+/// sub_vec4(vec4f(1.5, -2.0, 0.25, 8.0), vec4f(0.5, 4.0, -1.0, 2.0)) == vec4f(1.0, -6.0, 1.25, 6.0) +- 1e-6
+/// -> The difference. -2000000..2000000
+fn sub_vec4(
+    /// What to take from. -1000000..1000000
+    a: vec4f,
+    /// What to take away. -1000000..1000000
+    b: vec4f,
+) -> vec4f {
+    return a - b;
+}
