@@ -1,4 +1,5 @@
 //! The one integration-test binary.
 
+mod house;
 mod skip;
 mod tint;
