@@ -13,8 +13,14 @@
 //!
 //! Every stage is a pure function of the one before it: equal input gives equal bytes, on every machine.
 
+pub mod check;
+pub mod compile;
 pub mod diagnostic;
+pub mod emit;
 pub mod graph;
 pub mod library;
 pub mod machine;
+pub mod manifest;
+pub mod patch;
+pub mod program;
 pub mod value;

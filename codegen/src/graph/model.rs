@@ -100,6 +100,11 @@ impl FrameField {
         (Self::Sun, "sun", None),
     ];
 
+    /// Its name in graphs and in `TerrainIn`.
+    pub fn name(self) -> &'static str {
+        Self::ALL.iter().find(|(field, ..)| *field == self).map_or("", |(_, name, _)| name)
+    }
+
     /// Its type.
     pub fn ty(self) -> Type {
         match self {
@@ -284,6 +289,15 @@ pub enum Access {
     Member(String),
     /// One to four of `xyzw`, in letters `xyzw` whatever the author wrote.
     Swizzle(String),
+}
+
+impl Access {
+    /// As it is written behind the dot.
+    pub fn name(&self) -> &str {
+        match self {
+            Self::Member(name) | Self::Swizzle(name) => name,
+        }
+    }
 }
 
 /// An output of a graph.

@@ -4,9 +4,11 @@
 //! and default come from the `///` line above each parameter, which naga drops and a scan of ours reads. Both must agree.
 
 pub mod codes;
+mod cost;
 mod item;
 mod kind;
 mod load;
+pub(crate) use load::causes;
 mod port_line;
 mod read_kind;
 mod shake;
@@ -16,6 +18,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 
 use crate::diagnostic::{SourceId, Span};
+pub use cost::{Cost, costs};
 pub use item::Item;
 pub use kind::{Example, Kind, Overload, Port};
 

@@ -1,0 +1,94 @@
+//! The whole way from resolved graphs to checked WGSL and its manifest.
+
+use crate::check::{Checked, check};
+use crate::diagnostic::{Code, Diagnostic, Sources};
+use crate::emit::{Shader, core, host};
+use crate::graph::model::{GraphId, Graphs, Terrain};
+use crate::library::Library;
+use crate::manifest::{Manifest, Parts, manifest};
+use crate::patch::{Combination, Specialization, specialize};
+use crate::program::{Options, Program};
+
+/// More textures than WebGPU promises.
+pub const TOO_MANY_TEXTURES: Code = Code { id: "TG201", name: "too-many-textures" };
+
+/// WebGPU's default limit of sampled textures and of samplers in a stage.
+const STAGE_LIMIT: usize = 16;
+
+/// A compiled terrain or surface.
+#[derive(Debug)]
+pub struct Compiled {
+    /// All materials.
+    pub program: Program,
+    /// What was emitted of them.
+    pub patch: Specialization,
+    /// The core: for engines that bring their own entry points.
+    pub core: Shader,
+    /// The core with plain WebGPU entry points.
+    pub host: Shader,
+    /// The host shader as naga sees it.
+    pub checked: Checked,
+    /// What an engine must know.
+    pub manifest: Manifest,
+}
+
+/// What everything is compiled with.
+#[derive(Clone, Copy)]
+pub struct Compiler<'a> {
+    /// The nodes.
+    pub library: &'a Library,
+    /// The texts that spans point into.
+    pub sources: &'a Sources,
+    /// The host's own WGSL, and how many sampled textures it takes of a stage's 16.
+    pub host: &'a str,
+    /// Textures that the host binds beside the material's.
+    pub host_textures: usize,
+    /// What is optimised.
+    pub options: Options,
+}
+
+impl Compiler<'_> {
+    /// Compiles every layer of a terrain into one shader.
+    ///
+    /// # Errors
+    /// When the device limits are exceeded, or when naga refuses the result.
+    pub fn terrain(&self, graphs: &Graphs, terrain: &Terrain) -> Result<Compiled, Vec<Diagnostic>> {
+        self.finish(Program::of_terrain(self.library, graphs, terrain, self.options), Some(terrain))
+    }
+
+    /// Compiles one surface alone.
+    ///
+    /// # Errors
+    /// As [`Self::terrain`].
+    pub fn surface(&self, graphs: &Graphs, surface: GraphId) -> Result<Compiled, Vec<Diagnostic>> {
+        self.finish(Program::of_surface(self.library, graphs, surface, self.options), None)
+    }
+
+    fn finish(&self, mut program: Program, terrain: Option<&Terrain>) -> Result<Compiled, Vec<Diagnostic>> {
+        let patch = specialize(&program, &Combination::all(&program), self.options);
+        program.keep(&patch.live);
+        self.limits(&program)?;
+        let core = core(self.library, &program, &patch);
+        let host = host(self.library, &program, &patch, self.host);
+        check(&core, self.library, &program).map_err(|refused| vec![refused])?;
+        let checked = check(&host, self.library, &program).map_err(|refused| vec![refused])?;
+        let parts = Parts { program: &program, patch: &patch, core: &core, host: &host, checked: &checked, terrain };
+        let manifest = manifest(&parts, self.sources);
+        Ok(Compiled { program, patch, core, host, checked, manifest })
+    }
+
+    fn limits(&self, program: &Program) -> Result<(), Vec<Diagnostic>> {
+        let free = STAGE_LIMIT.saturating_sub(self.host_textures);
+        if program.arrays.len() <= free {
+            return Ok(());
+        }
+        let sizes: Vec<String> =
+            program.arrays.iter().map(|array| format!("`{}`: {}", array.name(), array.files.join(", "))).collect();
+        let message = format!("the materials need {} texture arrays, the host leaves {free}", program.arrays.len());
+        let place = program.layers[0].span;
+        let finding = Diagnostic::error(TOO_MANY_TEXTURES, place, message)
+            .help("files of equal size and format share an array: bring the textures to few sizes and formats")
+            .note(sizes.join("\n"));
+        Err(vec![finding])
+    }
+}
