@@ -150,28 +150,30 @@ impl Reader<'_> {
         })
     }
 
-    /// A texture port takes the next two parameters with it: its sampler and its layer.
+    /// A texture port `of` is three parameters: `of_texture` (`of` alone is reserved in WGSL), `of_sampler`, `of_layer`.
     fn inputs(&mut self, scanned: &[Entry], types: &[Handle<naga::Type>]) -> Vec<Port> {
         let mut ports = Vec::new();
         let mut index = 0;
         while index < scanned.len() {
-            let entry = &scanned[index];
+            let mut entry = scanned[index].clone();
             index += 1;
-            let Some(ty) = self.port_type(types[index - 1], entry) else { continue };
+            let Some(ty) = self.port_type(types[index - 1], &entry) else { continue };
             if ty == Type::Texture {
+                let parameter = entry.name.clone();
+                entry.name = parameter.strip_suffix("_texture").unwrap_or_default().to_owned();
                 let names: Vec<_> = scanned[index..].iter().take(2).map(|entry| entry.name.clone()).collect();
-                if names != [format!("{}_sampler", entry.name), format!("{}_layer", entry.name)] {
-                    let help = format!("declare `{0}_sampler: sampler, {0}_layer: i32` right behind it", entry.name);
+                let companions = [format!("{}_sampler", entry.name), format!("{}_layer", entry.name)];
+                if entry.name.is_empty() || names != companions {
                     self.error(
                         codes::PORT_TYPE,
                         entry.name_range.clone(),
-                        format!("texture port `{}` lacks its companions", entry.name),
-                        &help,
+                        format!("`{parameter}` is no texture port"),
+                        "declare `NAME_texture: texture_2d_array<f32>, NAME_sampler: sampler, NAME_layer: i32` in this order",
                     );
                 }
                 index += 2;
             }
-            ports.extend(self.port(entry, ty));
+            ports.extend(self.port(&entry, ty));
         }
         ports
     }
