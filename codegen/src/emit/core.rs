@@ -44,9 +44,31 @@ pub(super) fn declarations(shader: &mut Shader, library: &Library, items: &BTree
 
 /// Everything of the core behind the library's functions.
 pub(super) fn body(library: &Library, program: &Program, patch: &Specialization) -> Shader {
+    body_with(library, program, patch, ("terrane_surface", "TerrainOut"), |shader, names| {
+        Composer { program, patch, names, shader }.body();
+    })
+}
+
+/// The structs, and a function of a name and result that takes what a surface takes.
+pub(super) fn body_with(
+    library: &Library,
+    program: &Program,
+    patch: &Specialization,
+    (name, result): (&str, &str),
+    write: impl FnOnce(&mut Shader, &Names<'_>),
+) -> Shader {
     let mut shader = Shader::default();
     structs(&mut shader, program, patch);
     let names = Names::new(library, program, &patch.live);
+    shader.line("/// The look of the ground at one place.");
+    shader.open(&format!("fn {name}({}) -> {result}", arguments(program, patch)));
+    write(&mut shader, &names);
+    shader.close();
+    shader
+}
+
+/// The parameter list, one a line where it is long.
+fn arguments(program: &Program, patch: &Specialization) -> String {
     let mut arguments = vec!["terrain: TerrainIn".to_owned()];
     if !parameters(program, patch).is_empty() {
         arguments.push("parameters: TerrainParameters".into());
@@ -54,19 +76,8 @@ pub(super) fn body(library: &Library, program: &Program, patch: &Specialization)
     let (arrays, samplers) = resources(program, patch);
     arguments.extend(arrays.iter().map(|array| format!("{}: texture_2d_array<f32>", program.arrays[*array].name())));
     arguments.extend(samplers.iter().map(|sampler| format!("{}: sampler", program.samplers[*sampler].name())));
-    shader.line("/// The look of the ground at one place.");
-    shader.open(&signature(&arguments));
-    Composer { program, patch, names: &names, shader: &mut shader }.body();
-    shader.close();
-    shader
-}
-
-fn signature(arguments: &[String]) -> String {
-    let one_line = format!("fn terrane_surface({}) -> TerrainOut", arguments.join(", "));
-    if one_line.len() <= 118 {
-        return one_line;
-    }
-    format!("fn terrane_surface(\n    {},\n) -> TerrainOut", arguments.join(",\n    "))
+    let one_line = arguments.join(", ");
+    if one_line.len() <= 80 { one_line } else { format!("\n    {},\n", arguments.join(",\n    ")) }
 }
 
 fn structs(shader: &mut Shader, program: &Program, patch: &Specialization) {

@@ -4,12 +4,14 @@ mod compose;
 mod core;
 mod host;
 mod names;
+mod probe;
 mod text;
 
 pub use self::core::core;
 pub(crate) use self::core::frame;
 pub use host::{MATERIAL_GROUP, host};
 pub(crate) use host::{array_binding, sampler_binding};
+pub use probe::{Probe, probe};
 pub use text::{Place, Shader};
 
 /// A layer whose weight is not above this is skipped: the error of any output is below this part of its range, for each

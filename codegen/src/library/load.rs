@@ -33,7 +33,7 @@ impl Library {
         let (module, info) = parse(&text)
             .map_err(|(range, message)| vec![Diagnostic::error(codes::INVALID_WGSL, span(&files, range), message)])?;
         let mut library =
-            Self { text, files, items, names, module, info, kinds: BTreeMap::new(), structs: BTreeMap::new() };
+            Self { text, files, items, names, module, info, kinds: BTreeMap::new(), structs: BTreeMap::new(), exact };
         let findings = read_kind::read(&mut library);
         if any_error(&findings) { Err(findings) } else { Ok(library) }
     }

@@ -5,6 +5,7 @@
 
 pub mod codes;
 mod cost;
+mod exact;
 mod item;
 mod kind;
 mod load;
@@ -39,6 +40,8 @@ pub struct Library {
     pub info: naga::valid::ModuleInfo,
     /// The node kinds by name.
     pub kinds: BTreeMap<String, Kind>,
+    /// Functions whose result is the same on every device, rounding aside.
+    pub exact: std::collections::BTreeSet<String>,
     /// Members of every struct, with their documentation, by struct name.
     pub structs: BTreeMap<String, Vec<Port>>,
 }

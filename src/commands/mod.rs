@@ -1,0 +1,80 @@
+//! One file for each command. Results go to stdout, everything else to stderr.
+
+mod nodes;
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::{Parser, Subcommand};
+
+/// Compiles terrain materials: RON node graphs in, specialised single-pass WGSL out.
+#[derive(Debug, Parser)]
+#[command(version, about, after_help = AFTER_HELP)]
+pub struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+const AFTER_HELP: &str = "\
+Examples:
+  terrane new my_terrain                                 start a project that works
+  terrane check                                          find what is wrong with every graph of the project
+  terrane render graphs/scenes/alpine.ron -o alpine.png  draw a scene
+  terrane build graphs/terrains/alpine.ron -o out        write the WGSL and its manifest
+  terrane nodes overlay                                  read about one node
+
+Exit codes: 0 done, 1 the graphs are wrong, 2 the command line is wrong, 3 the machine or Terrane failed.";
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    Nodes(nodes::Nodes),
+}
+
+impl Cli {
+    /// Runs the command and says on stderr what went wrong.
+    pub fn run(self) -> ExitCode {
+        let result = match self.command {
+            Command::Nodes(command) => command.run(),
+        };
+        match result {
+            Ok(()) => ExitCode::SUCCESS,
+            Err(failure) => failure.report(),
+        }
+    }
+}
+
+/// Why a command did not do what was asked.
+#[derive(Debug)]
+pub enum Failure {
+    /// The graphs are wrong; the text is the rendered report.
+    Findings(String),
+    /// The command line asks for what is not there.
+    Usage(String),
+    /// A file, a device or Terrane itself.
+    Machine(String),
+}
+
+impl Failure {
+    fn report(self) -> ExitCode {
+        let (text, code) = match self {
+            Self::Findings(report) => (report.trim_end().to_owned(), 1),
+            Self::Usage(text) => (format!("error: {text}"), 2),
+            Self::Machine(text) => (format!("error: {text}"), 3),
+        };
+        eprintln!("{text}");
+        ExitCode::from(code)
+    }
+
+    /// A file that could not be read or written.
+    pub fn file(doing: &str, path: &std::path::Path, error: &dyn std::fmt::Display) -> Self {
+        Self::Machine(format!("cannot {doing} {}: {error}", path.display()))
+    }
+}
+
+/// Where a result goes.
+#[derive(Clone, Debug, clap::Args)]
+pub struct Output {
+    /// Where the result goes
+    #[arg(short, long, value_name = "PATH")]
+    pub output: PathBuf,
+}
