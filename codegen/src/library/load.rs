@@ -32,6 +32,7 @@ impl Library {
         let names = unique_names(&files, &items)?;
         let (module, info) = parse(&text)
             .map_err(|(range, message)| vec![Diagnostic::error(codes::INVALID_WGSL, span(&files, range), message)])?;
+        let exact = super::exact::exact_functions(&module);
         let mut library =
             Self { text, files, items, names, module, info, kinds: BTreeMap::new(), structs: BTreeMap::new(), exact };
         let findings = read_kind::read(&mut library);
