@@ -17,6 +17,10 @@ pub(crate) fn run() -> Result<(), String> {
     // `cargo run` and not a path: the user may have moved the target folder.
     let render = ["run", "--release", "--locked", "--quiet", "--", "render", SCENE, "-o", PICTURE];
     step(&format!("render {SCENE}"), || succeed(cargo(&render)))?;
-    println!("\nThe picture is {}", root().join(PICTURE).display());
+    let picture = root().join(PICTURE);
+    if !picture.is_file() {
+        return Err(format!("terrane reported no error, but there is no {}", picture.display()));
+    }
+    println!("\nThe picture is {}", picture.display());
     Ok(())
 }
