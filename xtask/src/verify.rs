@@ -154,7 +154,7 @@ fn tests() -> Result<(), String> {
 
 /// nextest where it is installed, which runs the tests of all binaries at once; else cargo's own runner.
 fn runner() -> Command {
-    let targets = ["--workspace", "--locked", "--tests"];
+    let targets = ["--workspace", "--locked", "--tests", "--no-fail-fast"];
     match answer("cargo-nextest", &["--version"]) {
         Some(_) => cargo(&[&["nextest", "run"][..], &targets].concat()),
         None => cargo(&[&["test"][..], &targets].concat()),
