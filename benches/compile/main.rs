@@ -14,7 +14,8 @@ fn library(criterion: &mut Criterion) {
     println!("library: {} kinds, {} declarations", library.kinds.len(), library.items.len());
     criterion.bench_function("library/load", |bench| bench.iter(load));
     let text = &library.text;
-    criterion.bench_function("library/naga parse", |bench| bench.iter(|| naga::front::wgsl::parse_str(black_box(text))));
+    criterion
+        .bench_function("library/naga parse", |bench| bench.iter(|| naga::front::wgsl::parse_str(black_box(text))));
     let validate = || Validator::new(ValidationFlags::all(), Capabilities::empty()).validate(&library.module);
     assert!(validate().is_ok(), "naga refuses the library");
     criterion.bench_function("library/naga validate", |bench| bench.iter(validate));
