@@ -15,8 +15,9 @@ fn normal_to_world(
 ) -> vec3f {
     let n = unit_vector_or(normal, vec3f(0.0, 0.0, 1.0)).xzy;
     let g = unit_vector_or(ground, vec3f(0.0, 1.0, 0.0));
-    // Rotation of n by the arc from (0, 1, 0) to g. Ground never overhangs, so 1 + g.y stays away from 0.
+    // Half a turn about up and half a turn about t is the arc from up to g. Ground never overhangs: t.y stays away from 0.
     let t = vec3f(g.x, 1.0 + g.y, g.z);
-    let turned = t * (dot(n, t) / max(t.y, 1e-6)) - vec3f(n.x, -n.y, n.z);
+    let half_turned = vec3f(-n.x, n.y, -n.z);
+    let turned = t * (dot(half_turned, t) / max(t.y, 1e-6)) - half_turned;
     return unit_vector_or(turned, g);
 }

@@ -1,0 +1,30 @@
+//! Keeps the darker of both.
+//! Source: W3C, "Compositing and Blending Level 1", 2015, section 10.1.5 (darken).
+
+/// darken_f32(0.5, 0.25, 1.0) == 0.25 +- 1e-6
+/// darken_f32(0.2, 0.6, 1.0) == 0.2 +- 1e-6
+/// darken_f32(0.8, 0.4, 0.5) == 0.6 +- 1e-6
+/// -> The combined mask. 0..1
+fn darken_f32(
+    /// What lies below. 0..1
+    base: f32,
+    /// What is laid on it. 0..1
+    detail: f32,
+    /// How much of the blend. 0..1 = 1.0
+    opacity: f32,
+) -> f32 {
+    return saturate(mix(base, min(base, detail), opacity));
+}
+
+/// darken_vec3(vec3f(0.5, 0.2, 0.8), vec3f(0.25, 0.6, 0.4), 1.0) == vec3f(0.25, 0.2, 0.4) +- 1e-6
+/// -> The combined colour. 0..1
+fn darken_vec3(
+    /// What lies below. 0..1
+    base: vec3f,
+    /// What is laid on it. 0..1
+    detail: vec3f,
+    /// How much of the blend. 0..1 = 1.0
+    opacity: f32,
+) -> vec3f {
+    return saturate(mix(base, min(base, detail), opacity));
+}
