@@ -39,10 +39,8 @@ pub struct Compiler<'a> {
     pub library: &'a Library,
     /// The texts that spans point into.
     pub sources: &'a Sources,
-    /// The host's own WGSL, and how many sampled textures it takes of a stage's 16.
+    /// The host's own WGSL. The textures that it declares count against a stage's 16.
     pub host: &'a str,
-    /// Textures that the host binds beside the material's.
-    pub host_textures: usize,
     /// What is optimised.
     pub options: Options,
 }
@@ -78,7 +76,7 @@ impl Compiler<'_> {
     }
 
     fn limits(&self, program: &Program) -> Result<(), Vec<Diagnostic>> {
-        let free = STAGE_LIMIT.saturating_sub(self.host_textures);
+        let free = STAGE_LIMIT.saturating_sub(crate::library::texture_variables(self.host));
         if program.arrays.len() <= free {
             return Ok(());
         }

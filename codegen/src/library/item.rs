@@ -49,6 +49,12 @@ pub(crate) fn items(text: &str) -> Vec<Item> {
     found
 }
 
+/// How many textures a text binds.
+pub(crate) fn texture_variables(text: &str) -> usize {
+    let variables = items(text).into_iter().filter(|item| item.keyword == "var");
+    variables.filter(|item| item.words.iter().any(|word| word.starts_with("texture_"))).count()
+}
+
 /// A declaration ends with the `;` or the closing brace at depth 0.
 fn declaration_length(tokens: &[(Token, Range<usize>)]) -> usize {
     let mut depth = 0;

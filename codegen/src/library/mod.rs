@@ -21,6 +21,7 @@ use std::ops::Range;
 use crate::diagnostic::{SourceId, Span};
 pub use cost::{Cost, costs};
 pub use item::Item;
+pub(crate) use item::texture_variables;
 pub use kind::{Example, Kind, Overload, Port};
 
 /// Every node that a graph may use, and the WGSL behind it.

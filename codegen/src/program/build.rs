@@ -2,8 +2,9 @@
 
 use std::collections::BTreeMap;
 
+use super::fold::{self, Folder};
 use super::resource::{Format, ProgramParameter, ProgramTexture, SamplerKey, TextureArray};
-use super::{Op, Options, Origin, Pool, Program, ProgramLayer, Value, ValueId, fold};
+use super::{Op, Options, Origin, Pool, Program, ProgramLayer, Value, ValueId};
 use crate::diagnostic::Span;
 use crate::graph::model::{
     Access, Blend, Callee, FrameField, Graph, GraphId, Graphs, Input, InputValue, LayerMask, Node, Parameter, Relief,
@@ -55,7 +56,8 @@ enum NodeResult {
 struct Builder<'a> {
     library: &'a Library,
     graphs: &'a Graphs,
-    options: Options,
+    /// Absent where nothing is to be folded.
+    folder: Option<Folder<'a>>,
     program: Program,
     masks: BTreeMap<GraphId, ValueId>,
 }
@@ -72,7 +74,8 @@ impl<'a> Builder<'a> {
             layers: Vec::new(),
             blend: Blend::Over,
         };
-        Self { library, graphs, options, program, masks: BTreeMap::new() }
+        let folder = options.fold.then(|| Folder::new(library));
+        Self { library, graphs, folder, program, masks: BTreeMap::new() }
     }
 
     fn finish(mut self, name: &str, blend: Blend) -> Program {
@@ -236,6 +239,12 @@ impl<'a> Builder<'a> {
     }
 
     fn call(&mut self, function: &str, inputs: Vec<ValueId>, ty: Type) -> ValueId {
+        let known = || inputs.iter().map(|input| self.program.pool.literal(*input)).collect::<Option<Vec<_>>>();
+        if let Some(folder) = &self.folder
+            && let Some(literal) = known().and_then(|arguments| folder.call(function, &arguments, &ty))
+        {
+            return self.literal(literal);
+        }
         self.program.pool.add(Value { op: Op::Call(function.to_owned()), inputs, ty })
     }
 

@@ -1,0 +1,81 @@
+//! `terrane build`: WGSL, manifest and textures for an engine.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+use terrane_codegen::compile::Compiled;
+use terrane_codegen::graph::{FileRole, Project};
+
+use super::{Failure, project};
+use terrane::{content, file};
+
+/// Write the WGSL of a terrain or surface, its manifest, and the textures it reads
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Example:\n  terrane build graphs/terrains/alpine.ron -o out
+
+Writes NAME.core.wgsl (functions and structs), NAME.wgsl (the same with plain WebGPU entry points),
+NAME.json (the manifest) and the PNG files that the manifest names.")]
+pub struct Build {
+    /// A terrain or a surface
+    #[arg(value_name = "GRAPH")]
+    graph: PathBuf,
+    /// The folder to write to; it is made if it is not there
+    #[arg(short, long, value_name = "DIR")]
+    output: PathBuf,
+    /// Leave the textures where they are
+    #[arg(long)]
+    no_textures: bool,
+}
+
+impl Build {
+    pub fn run(self) -> Result<(), Failure> {
+        let mut project = project::open(&self.graph)?;
+        let path = project::relative(&mut project, &self.graph)?;
+        let compiled = compile(&mut project, &path)?;
+        if !self.no_textures {
+            copy_textures(&project, &compiled, &self.output)?;
+        }
+        let manifest = &compiled.manifest;
+        for permutation in &manifest.permutations {
+            self.write(&permutation.core.path, &compiled.core.text)?;
+            self.write(&permutation.host.path, &compiled.host.text)?;
+        }
+        // Last, so that a manifest never speaks of files that are not there.
+        self.write(&format!("{}.json", manifest.name), &manifest.to_json())?;
+        println!("{}", self.output.join(format!("{}.json", manifest.name)).display());
+        Ok(())
+    }
+
+    fn write(&self, name: &str, text: &str) -> Result<(), Failure> {
+        let path = self.output.join(name);
+        file::write(&path, text.as_bytes()).map_err(|error| Failure::file("write", &path, &error))
+    }
+}
+
+fn compile(project: &mut Project, path: &str) -> Result<Compiled, Failure> {
+    let surface = matches!(project.role(path), Some(FileRole::Surface));
+    let (compiled, warnings) = if surface {
+        let (graphs, surface, warnings) = project.surface(path).map_err(|found| project::findings(&found, &project.sources))?;
+        (project::compiler(project).surface(&graphs, surface), warnings)
+    } else {
+        let (graphs, terrain, warnings) = project.terrain(path).map_err(|found| project::findings(&found, &project.sources))?;
+        (project::compiler(project).terrain(&graphs, &terrain), warnings)
+    };
+    project::warn(&warnings, &project.sources);
+    compiled.map_err(|found| project::findings(&found, &project.sources))
+}
+
+/// Makes what is missing, then puts every file that the manifest names beside it.
+fn copy_textures(project: &Project, compiled: &Compiled, output: &Path) -> Result<(), Failure> {
+    let manifest = &compiled.manifest;
+    let layers = manifest.textures.iter().flat_map(|texture| texture.layers.iter().cloned());
+    let files: BTreeSet<String> = layers.chain(manifest.terrain.iter().map(|terrain| terrain.height_map.clone())).collect();
+    content::make(project, &files).map_err(|error| Failure::Machine(error.to_string()))?;
+    for name in files {
+        let from = project.root().join(&name);
+        let bytes = std::fs::read(&from).map_err(|error| Failure::file("read", &from, &error))?;
+        let to = output.join(&name);
+        file::write(&to, &bytes).map_err(|error| Failure::file("write", &to, &error))?;
+    }
+    Ok(())
+}
