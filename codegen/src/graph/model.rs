@@ -305,6 +305,8 @@ impl Access {
 pub struct Output {
     /// The value.
     pub input: Input,
+    /// Its unit, where one is known.
+    pub unit: Option<String>,
     /// The name in the file.
     pub span: Span,
 }
@@ -394,10 +396,55 @@ pub struct Terrain {
     pub layers: Vec<Layer>,
     /// How they meet.
     pub blend: Blend,
+    /// How the displaced surface is traced; without it relief is shaded as normal mapping.
+    pub relief: Option<ReliefTrace>,
     /// Whether the terrain throws shadows on itself.
     pub shadow: Shadow,
+    /// Whether the displaced surface throws shadows on itself.
+    pub relief_shadow: ReliefShadow,
     /// Directions of the sky's occlusion by the terrain, 0 for none.
     pub occlusion: u32,
+}
+
+/// How a terrain traces the displaced surface of its materials.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ReliefTrace {
+    /// Which tracer.
+    pub method: ReliefMethod,
+    /// Where along the ray the masks are evaluated.
+    pub weights: ReliefWeights,
+    /// Metres from the eye: where relief begins to fade into normal mapping, and where it is gone.
+    pub fade: (f32, f32),
+}
+
+/// Which tracer finds the displaced surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ReliefMethod {
+    /// The fastest that keeps its error, on this map and platform.
+    Auto {
+        /// Texels of the height map, 0.001..64.
+        max_error: f32,
+    },
+}
+
+/// Where along a ray the masks of the layers are evaluated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ReliefWeights {
+    /// Once, where the ray enters: cheap, layers may float at seams.
+    Entry,
+    /// At every step, exact.
+    AlongRay,
+}
+
+/// The sun's shadow at the scale of a material.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ReliefShadow {
+    /// None.
+    Off,
+    /// A ray to the middle of the sun.
+    Hard,
+    /// A cone: the further the blocker, the softer.
+    Cone,
 }
 
 /// The sun's shadow at terrain scale.

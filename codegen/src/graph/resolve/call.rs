@@ -1,0 +1,246 @@
+//! One node: which function it calls, and what each of its inputs gets.
+
+use super::fit::{self, Owner};
+use super::scope::Scope;
+use super::wire::{NodeValue, Operand};
+use crate::diagnostic::{Diagnostic, Span};
+use crate::graph::file::{Entry, Expr, Named, NodeEntry};
+use crate::graph::model::{Callee, Graph, GraphId, Input, InputValue, Node, Texture};
+use crate::graph::{codes, suggest};
+use crate::library::{Kind, Library, Port};
+use crate::value::Type;
+
+/// What a node's name in front of the bracket means.
+#[derive(Clone, Copy)]
+pub(super) enum Callable<'a> {
+    /// A kind of the library.
+    Kind(&'a Kind),
+    /// Another file.
+    Instance(GraphId, &'a Graph),
+}
+
+/// What a node needs to know of its surroundings.
+pub(super) struct Caller<'a> {
+    pub(super) library: &'a Library,
+    pub(super) scope: &'a Scope<'a>,
+    pub(super) textures: &'a [Texture],
+}
+
+/// An argument with its value looked up.
+struct Argument<'a> {
+    name: &'a Named,
+    operand: Operand,
+    span: Span,
+}
+
+impl Caller<'_> {
+    /// Resolves a call. A node comes back even if some input is wrong, as long as its type is known.
+    pub(super) fn node(
+        &self,
+        entry: &Entry<NodeEntry>,
+        call: &NodeEntry,
+        callable: Callable<'_>,
+        findings: &mut Vec<Diagnostic>,
+    ) -> (Option<Node>, NodeValue) {
+        let arguments: Vec<Argument<'_>> =
+            call.arguments.iter().map(|argument| self.argument(argument, findings)).collect();
+        let signatures: Vec<Vec<Port>> = match callable {
+            Callable::Kind(kind) => kind.overloads.iter().map(|overload| overload.inputs.clone()).collect(),
+            Callable::Instance(_, graph) => vec![graph.inputs.iter().map(super::port::as_port).collect()],
+        };
+        let arguments = known_ports(arguments, &signatures, &call.kind, findings);
+        let Some(chosen) = self.choose(&arguments, &signatures, &call.kind, findings) else {
+            return (None, NodeValue::Broken);
+        };
+        let texture = texture_channel(self.textures, &arguments, callable, findings);
+        let unsure =
+            signatures.len() > 1 && arguments.iter().any(|argument| matches!(argument.operand, Operand::Broken));
+        let inputs = self.inputs(entry, &call.kind, arguments, &signatures[chosen], findings);
+        let (callee, value, channel) = result(callable, chosen, texture);
+        let ty = match &value {
+            NodeValue::Value(ty, _) => Some(ty.clone()),
+            NodeValue::Outputs(outputs) if outputs.len() == 1 => Some(outputs[0].1.clone()),
+            _ => None,
+        };
+        let node = inputs.map(|inputs| Node {
+            name: entry.name.name.clone(),
+            callee,
+            inputs,
+            channel,
+            ty,
+            span: entry.span,
+            name_span: entry.name.span,
+        });
+        (node, if unsure { NodeValue::Broken } else { value })
+    }
+
+    fn argument<'e>(&self, argument: &'e Entry<Expr>, findings: &mut Vec<Diagnostic>) -> Argument<'e> {
+        let (operand, span) = match &argument.value {
+            Some(expr) => (self.scope.operand(expr, findings), expr.span),
+            None => (Operand::Broken, argument.span),
+        };
+        Argument { name: &argument.name, operand, span }
+    }
+
+    /// The overload that takes the arguments with the least widening; the first of equals.
+    fn choose(
+        &self,
+        arguments: &[Argument<'_>],
+        signatures: &[Vec<Port>],
+        kind: &Named,
+        findings: &mut Vec<Diagnostic>,
+    ) -> Option<usize> {
+        let distance = |ports: &Vec<Port>| {
+            let one = |argument: &Argument<'_>| {
+                let port = ports.iter().find(|port| port.name == argument.name.name)?;
+                fit::distance(&argument.operand, &port.ty)
+            };
+            arguments.iter().map(one).sum::<Option<u32>>()
+        };
+        let best = signatures.iter().enumerate().filter_map(|(index, ports)| Some((distance(ports)?, index))).min();
+        match (best, signatures) {
+            (Some((_, index)), _) => Some(index),
+            // Each input says itself what is wrong with it.
+            (None, [_]) => Some(0),
+            (None, _) => {
+                findings.push(no_overload(arguments, signatures, kind));
+                None
+            }
+        }
+    }
+
+    fn inputs(
+        &self,
+        entry: &Entry<NodeEntry>,
+        kind: &Named,
+        mut arguments: Vec<Argument<'_>>,
+        ports: &[Port],
+        findings: &mut Vec<Diagnostic>,
+    ) -> Option<Vec<Input>> {
+        let mut missing = Vec::new();
+        let mut inputs = Vec::new();
+        for port in ports {
+            let index = arguments.iter().position(|argument| argument.name.name == port.name);
+            let input = match index.map(|index| arguments.swap_remove(index)) {
+                Some(argument) => self.input(argument, port, &kind.name, findings),
+                None => fit::default(port, entry.name.span).or_else(|| {
+                    missing.push(port);
+                    None
+                }),
+            };
+            inputs.push(input);
+        }
+        if !missing.is_empty() {
+            findings.push(missing_inputs(kind, &missing));
+        }
+        inputs.into_iter().collect()
+    }
+
+    fn input(&self, argument: Argument<'_>, port: &Port, kind: &str, findings: &mut Vec<Diagnostic>) -> Option<Input> {
+        let owner = Owner::Kind(kind);
+        if fit::distance(&argument.operand, &port.ty).is_some() {
+            return fit::input(argument.operand, port, owner, argument.span, findings);
+        }
+        findings.push(fit::mismatch(self.library, &argument.operand, port, owner, argument.span));
+        None
+    }
+}
+
+/// Drops the arguments that no overload takes, with a finding for each.
+fn known_ports<'a>(
+    arguments: Vec<Argument<'a>>,
+    signatures: &[Vec<Port>],
+    kind: &Named,
+    findings: &mut Vec<Diagnostic>,
+) -> Vec<Argument<'a>> {
+    let mut names: Vec<&str> = signatures.iter().flatten().map(|port| port.name.as_str()).collect();
+    names.sort_unstable();
+    names.dedup();
+    let is_known = |argument: &Argument<'_>| {
+        let known = names.contains(&argument.name.name.as_str());
+        if !known {
+            let message = format!("`{}` has no input `{}`", kind.name, argument.name.name);
+            let mut finding = Diagnostic::error(codes::UNKNOWN_PORT, argument.name.span, message);
+            finding.help = suggest::help(&argument.name.name, names.iter().copied());
+            findings.push(finding);
+        }
+        known
+    };
+    arguments.into_iter().filter(is_known).collect()
+}
+
+fn missing_inputs(kind: &Named, missing: &[&Port]) -> Diagnostic {
+    let names: Vec<&str> = missing.iter().map(|port| port.name.as_str()).collect();
+    let message = format!("`{}` does not get {}", kind.name, suggest::list(&names));
+    let wanted = |port: &&Port| {
+        let doc = if port.doc.is_empty() { String::new() } else { format!(": {}", port.doc) };
+        format!("`{}` is {}{doc}", port.name, port.ty)
+    };
+    let help: Vec<String> = missing.iter().map(wanted).collect();
+    Diagnostic::error(codes::MISSING_INPUT, kind.span, message).help(help.join("\n"))
+}
+
+fn no_overload(arguments: &[Argument<'_>], signatures: &[Vec<Port>], kind: &Named) -> Diagnostic {
+    let given: Vec<String> =
+        arguments.iter().map(|argument| format!("{}: {}", argument.name.name, argument.operand.words())).collect();
+    let message = format!("no `{}` takes ({})", kind.name, given.join(", "));
+    let signature = |ports: &Vec<Port>| {
+        let ports: Vec<String> = ports.iter().map(|port| format!("{}: {}", port.name, port.ty)).collect();
+        format!("{}({})", kind.name, ports.join(", "))
+    };
+    let known: Vec<String> = signatures.iter().map(signature).collect();
+    let finding = Diagnostic::error(codes::NO_OVERLOAD, kind.span, message);
+    let finding = finding.help(format!("there is\n{}", known.join("\n")));
+    arguments.iter().fold(finding, |finding, argument| finding.also(argument.span, argument.operand.words()))
+}
+
+/// The channel that all textures of a call ask for.
+fn texture_channel(
+    textures: &[Texture],
+    arguments: &[Argument<'_>],
+    callable: Callable<'_>,
+    findings: &mut Vec<Diagnostic>,
+) -> Option<(u8, Span)> {
+    let texture = |argument: &Argument<'_>| match &argument.operand {
+        Operand::Wire(wire) => match wire.value {
+            InputValue::Texture(index) => Some((textures[index].channel, argument.span)),
+            _ => None,
+        },
+        _ => None,
+    };
+    let given: Vec<(Option<u8>, Span)> = arguments.iter().filter_map(texture).collect();
+    let (first, span) = *given.first()?;
+    if let Callable::Instance(..) = callable {
+        for (_, span) in given.iter().filter(|(channel, _)| channel.is_some()) {
+            let message = "a texture with a `channel` goes into an instance, which reads whole texels";
+            findings.push(
+                Diagnostic::error(codes::BAD_CHANNEL, *span, message)
+                    .help("declare it without `channel`, and pick the component inside: \"name.r\""),
+            );
+        }
+        return None;
+    }
+    if let Some((_, other)) = given.iter().find(|(channel, _)| *channel != first) {
+        let message = "the textures of one node ask for different channels";
+        findings.push(Diagnostic::error(codes::BAD_CHANNEL, *other, message).also(span, "another channel here"));
+    }
+    first.map(|channel| (channel, span))
+}
+
+fn result(callable: Callable<'_>, overload: usize, texture: Option<(u8, Span)>) -> (Callee, NodeValue, Option<u8>) {
+    match callable {
+        Callable::Kind(kind) => {
+            let output = &kind.overloads[overload].output;
+            let channel = texture.filter(|_| output.ty == Type::Vec4).map(|(channel, _)| channel);
+            let ty = if channel.is_some() { Type::F32 } else { output.ty.clone() };
+            let callee = Callee::Function { kind: kind.name.clone(), overload };
+            (callee, NodeValue::Value(ty, output.unit.clone()), channel)
+        }
+        Callable::Instance(id, graph) => {
+            let output = |(name, output): (&String, &crate::graph::model::Output)| {
+                (name.clone(), output.input.ty.clone(), output.unit.clone())
+            };
+            (Callee::Instance(id), NodeValue::Outputs(graph.outputs.iter().map(output).collect()), None)
+        }
+    }
+}

@@ -1,0 +1,20 @@
+//! From files to the model: every name bound, every input typed, every fault found.
+
+mod access;
+mod call;
+mod fit;
+mod graph;
+mod images;
+mod layer;
+mod order;
+mod output;
+mod port;
+mod scene;
+mod scope;
+mod session;
+mod terrain;
+mod texture;
+mod unused;
+mod wire;
+
+pub(super) use session::{Session, Texts, bad_path, file_error};

@@ -1,0 +1,15 @@
+//! A texel of a texture.
+//! Source: test.
+
+/// texture(example_texture, example_sampler, 0, Coord(vec2f(0.0), vec2f(0.0), vec2f(0.0))).x == 0.0 +- 1.0
+/// -> The texel.
+fn texture(
+    /// What to read.
+    of_texture: texture_2d_array<f32>,
+    of_sampler: sampler,
+    of_layer: i32,
+    /// Where to read.
+    uv: Coord,
+) -> vec4f {
+    return textureSampleGrad(of_texture, of_sampler, uv.uv, of_layer, uv.ddx, uv.ddy);
+}
