@@ -1,0 +1,62 @@
+//! An engine of its own that draws a terrain with nothing but what `terrane build` wrote: the core's WGSL, the manifest,
+//! and the textures that the manifest names. It uses no part of Terrane; copy it.
+//!
+//! ```sh
+//! terrane build graphs/terrains/alpine.ron -o out
+//! cargo run --release --example embed -- out/alpine.json out/embed.png
+//! ```
+//!
+//! Textures are looked for under the current folder, which is the project's root.
+
+mod device;
+mod draw;
+mod manifest;
+mod material;
+mod shader;
+mod texture;
+mod view;
+
+use std::path::Path;
+use std::process::ExitCode;
+use std::{env, fs, io};
+
+use manifest::Manifest;
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = env::args().skip(1).collect();
+    let [manifest, picture] = arguments.as_slice() else {
+        eprintln!("usage: embed MANIFEST.json PICTURE.png");
+        return ExitCode::from(2);
+    };
+    match run(Path::new(manifest), Path::new(picture)) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(message) => {
+            eprintln!("error: {message}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(path: &Path, picture: &Path) -> Result<(), String> {
+    let manifest = Manifest::read(path)?;
+    let terrain =
+        manifest.terrain.as_ref().ok_or("this manifest is of a surface alone: there is no terrain to draw")?;
+    let permutation = manifest.permutations.first().ok_or("this manifest names no shader")?;
+    let core = path.with_file_name(&permutation.core.path);
+    let core = fs::read_to_string(&core).map_err(|error| format!("{}: {error}", core.display()))?;
+    let shader = shader::compose(&core, &manifest)?;
+    let pixels = draw::draw(&manifest, terrain, &shader, Path::new("."))?;
+    write_png(picture, &pixels).map_err(|error| format!("{}: {error}", picture.display()))?;
+    println!("{}", picture.display());
+    Ok(())
+}
+
+fn write_png(path: &Path, pixels: &[u8]) -> io::Result<()> {
+    let mut encoder =
+        png::Encoder::new(io::BufWriter::new(fs::File::create(path)?), view::PICTURE[0], view::PICTURE[1]);
+    encoder.set_color(png::ColorType::Rgba);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
+    encoder.write_header()?.write_image_data(pixels)?;
+    Ok(())
+}
