@@ -6,7 +6,7 @@
 //! cargo run --release --example embed -- out/alpine.json out/embed.png
 //! ```
 //!
-//! Textures are looked for under the current folder, which is the project's root.
+//! Textures lie beside the manifest, under the names that it gives.
 
 mod device;
 mod draw;
@@ -45,7 +45,8 @@ fn run(path: &Path, picture: &Path) -> Result<(), String> {
     let core = path.with_file_name(&permutation.core.path);
     let core = fs::read_to_string(&core).map_err(|error| format!("{}: {error}", core.display()))?;
     let shader = shader::compose(&core, &manifest)?;
-    let pixels = draw::draw(&manifest, terrain, &shader, Path::new("."))?;
+    let folder = path.parent().ok_or("the manifest is a folder")?;
+    let pixels = draw::draw(&manifest, terrain, &shader, folder)?;
     write_png(picture, &pixels).map_err(|error| format!("{}: {error}", picture.display()))?;
     println!("{}", picture.display());
     Ok(())
