@@ -1,1 +1,3 @@
 //! Terrane: the renderer and the measuring.
+
+pub mod content;

@@ -1,5 +1,6 @@
 //! The one integration-test binary.
 
+mod content;
 mod house;
 mod skip;
 mod tint;
