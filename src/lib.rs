@@ -1,1 +1,2 @@
 //! Terrane: the renderer and the measuring.
+pub mod render;
