@@ -15,6 +15,9 @@ macro_rules! host {
 pub const WGPU_TERRAIN: &[SourceFile] =
     &[host!("wgpu/view.wgsl"), host!("wgpu/ground.wgsl"), host!("wgpu/light.wgsl"), host!("wgpu/terrain.wgsl")];
 
+/// Sampled textures that [`WGPU_TERRAIN`] binds in group 0; what is left of a stage's 16 is the material's.
+pub const WGPU_TEXTURES: usize = 5;
+
 /// The renderer's own: the sky behind a terrain. Entry points `sky_vertex` and `sky_fragment`.
 pub const WGPU_SKY: &[SourceFile] = &[host!("wgpu/view.wgsl"), host!("wgpu/sky.wgsl")];
 

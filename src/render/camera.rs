@@ -38,8 +38,8 @@ impl Camera {
     /// The camera for a picture of that many pixels.
     ///
     /// # Errors
-    /// [`RenderError::Scene`] where eye and target coincide, the view is straight up or down, a number is not finite or
-    /// the field of view is not within 1..150 degrees.
+    /// [`RenderError::Scene`] where eye and target coincide, a number is not finite or the field of view is not within
+    /// 1..150 degrees.
     pub fn view(&self, width: u32, height: u32) -> Result<View> {
         let (eye, target) = (DVec3::from(self.eye), DVec3::from(self.target));
         if !(eye.is_finite() && target.is_finite()) {
@@ -51,12 +51,11 @@ impl Camera {
                 self.fov
             )));
         }
-        let forward = (target - eye).try_normalize();
-        let axes = forward.and_then(|forward| Some((forward, forward.cross(DVec3::Y).try_normalize()?)));
-        let Some((forward, right)) = axes.filter(|(forward, _)| forward.y.abs() < 0.999_99) else {
-            let reason = "camera: the target must not be the eye, nor straight above or below it";
-            return Err(RenderError::Scene(reason.into()));
+        let Some(forward) = (target - eye).try_normalize() else {
+            return Err(RenderError::Scene("camera: the target must not be the eye".into()));
         };
+        // Straight up or down, east is to the right.
+        let right = forward.cross(DVec3::Y).try_normalize().unwrap_or(DVec3::X);
         let tall = (self.fov.to_radians() * 0.5).tan();
         let half = [tall * f64::from(width) / f64::from(height), tall];
         Ok(View { eye, right, up: right.cross(forward), forward, half })

@@ -98,9 +98,7 @@ impl Gpu {
 
     /// Waits until everything that was submitted is done.
     pub(super) fn wait(&self) -> Result<()> {
-        self.device
-            .poll(wgpu::PollType::wait_indefinitely())
-            .map_err(|error| RenderError::Lost(error.to_string()))?;
+        self.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|error| RenderError::Lost(error.to_string()))?;
         match self.failure.lock().ok().and_then(|mut failure| failure.take()) {
             None => Ok(()),
             Some(reason) => Err(RenderError::Lost(reason)),
@@ -108,21 +106,22 @@ impl Gpu {
     }
 }
 
+/// OpenGL lacks parts of core WebGPU and talks to the window system: it is asked only where there is nothing else.
 fn adapters() -> Vec<wgpu::Adapter> {
-    let descriptor = wgpu::InstanceDescriptor::new_without_display_handle();
+    let first = adapters_of(wgpu::Backends::PRIMARY);
+    if first.is_empty() { adapters_of(wgpu::Backends::GL) } else { first }
+}
+
+fn adapters_of(backends: wgpu::Backends) -> Vec<wgpu::Adapter> {
+    let descriptor = wgpu::InstanceDescriptor { backends, ..wgpu::InstanceDescriptor::new_without_display_handle() };
     let instance = wgpu::Instance::new(descriptor);
-    let mut adapters = pollster::block_on(instance.enumerate_adapters(wgpu::Backends::all()));
-    adapters.sort_by_key(|adapter| {
-        let info = adapter.get_info();
-        let kind = match info.device_type {
-            wgpu::DeviceType::DiscreteGpu => 0,
-            wgpu::DeviceType::IntegratedGpu => 1,
-            wgpu::DeviceType::VirtualGpu => 2,
-            wgpu::DeviceType::Cpu => 3,
-            wgpu::DeviceType::Other => 4,
-        };
-        // OpenGL lacks parts of core WebGPU: last, whatever it runs on.
-        (info.backend == wgpu::Backend::Gl, kind)
+    let mut adapters = pollster::block_on(instance.enumerate_adapters(backends));
+    adapters.sort_by_key(|adapter| match adapter.get_info().device_type {
+        wgpu::DeviceType::DiscreteGpu => 0,
+        wgpu::DeviceType::IntegratedGpu => 1,
+        wgpu::DeviceType::VirtualGpu => 2,
+        wgpu::DeviceType::Cpu => 3,
+        wgpu::DeviceType::Other => 4,
     });
     adapters
 }

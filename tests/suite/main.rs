@@ -1,5 +1,6 @@
 //! The one integration-test binary.
 
 mod house;
+mod render;
 mod skip;
 mod tint;

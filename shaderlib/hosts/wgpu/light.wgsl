@@ -30,17 +30,6 @@ fn host_rough_diffuse(n_l: f32, n_v: f32, l_v: f32, roughness: f32) -> f32 {
     return a + a * roughness * s / t;
 }
 
-/// GGX with the height-correlated Smith term and Schlick's Fresnel. Sources: Walter et al., "Microfacet Models for
-/// Refraction through Rough Surfaces", EGSR 2007; Heitz, "Understanding the Masking-Shadowing Function", JCGT 2014.
-fn host_specular(n_l: f32, n_v: f32, n_h: f32, v_h: f32, alpha: f32, f0: vec3f) -> vec3f {
-    let a2 = alpha * alpha;
-    let d = n_h * n_h * (a2 - 1.0) + 1.0;
-    let distribution = a2 / (HOST_PI * d * d);
-    let masking = n_l * sqrt(n_v * n_v * (1.0 - a2) + a2) + n_v * sqrt(n_l * n_l * (1.0 - a2) + a2);
-    let fresnel = f0 + (1.0 - f0) * pow(1.0 - v_h, 5.0);
-    return fresnel * (distribution * 0.5 / max(masking, 1e-4));
-}
-
 /// Share of an even environment that is mirrored. Source: Karis, "Physically Based Shading on Mobile", 2014, a fit to
 /// Lazarov's.
 fn host_environment_share(f0: vec3f, roughness: f32, n_v: f32) -> vec3f {
@@ -59,13 +48,6 @@ fn host_reflected(direction: vec3f, roughness: f32, land: vec3f) -> vec3f {
     return mix(land, sky, smoothstep(-width, width, direction.y));
 }
 
-/// From the ground's tangent frame (x east, y south, z out of the ground) to the world.
-fn host_world_normal(tangent_space: vec3f, normal: vec3f) -> vec3f {
-    let east = normalize(vec3f(1.0, 0.0, 0.0) - normal * normal.x);
-    let south = normalize(vec3f(0.0, 0.0, 1.0) - normal * normal.z);
-    return normalize(east * tangent_space.x + south * tangent_space.y + normal * tangent_space.z);
-}
-
 /// The light that reaches a place.
 struct HostLight {
     /// Irradiance on a surface that faces the sun, in its shadow or not.
@@ -78,10 +60,10 @@ struct HostLight {
 
 /// Radiance of a material towards the eye. `view` points to the eye.
 fn host_shade(material: TerrainOut, ground: vec3f, view: vec3f, light: HostLight) -> vec3f {
-    let normal = host_world_normal(material.normal, ground);
+    let normal = normal_to_world(material.normal, ground);
     let n_v = clamp(dot(normal, view), 1e-3, 1.0);
     let n_l = dot(normal, host_view.sun);
-    let roughness = clamp(material.roughness, 0.03, 1.0);
+    let roughness = saturate(material.roughness);
     let f0 = mix(vec3f(0.04), material.albedo, material.metallic);
     let diffuse = material.albedo * (1.0 - material.metallic);
 
@@ -91,7 +73,7 @@ fn host_shade(material: TerrainOut, ground: vec3f, view: vec3f, light: HostLight
         let n_h = clamp(dot(normal, half_way), 0.0, 1.0);
         let v_h = clamp(dot(view, half_way), 0.0, 1.0);
         let rough = host_rough_diffuse(n_l, n_v, dot(view, host_view.sun), roughness);
-        let mirrored = host_specular(n_l, n_v, n_h, v_h, roughness * roughness, f0);
+        let mirrored = fresnel_schlick(f0, v_h) * (ggx(n_h, roughness) * smith_visibility(n_l, n_v, roughness));
         // A bump that faces the sun on ground that does not is in the ground's own shadow.
         let grazing = smoothstep(0.0, 0.1, dot(ground, host_view.sun));
         radiance += (diffuse * (rough / HOST_PI) + mirrored) * light.sun * (n_l * grazing);

@@ -17,28 +17,24 @@ struct HostView {
     sun_radius: f32,
     /// Unit vector to the sun.
     sun: vec3f,
-    /// Metres from height 0 to the place for which `sun_high` holds.
-    high: f32,
-    /// Irradiance of the sun on a surface that faces it, at height `low`.
-    sun_low: vec3f,
-    /// Metres from height 0 to the place for which `sun_low` holds.
+    /// Metres from height 0 to the terrain's lowest place.
     low: f32,
-    /// Irradiance of the sun at height `high`.
+    /// Irradiance of the sun, there, on a surface that faces it.
+    sun_low: vec3f,
+    /// Metres between the terrain's lowest and highest place.
+    height_range: f32,
+    /// Irradiance of the sun at the highest place.
     sun_high: vec3f,
-    /// Anything: 0 or 1. Fills the vector.
-    unused: f32,
-    /// Radiance of the middle of the sun's disc, seen from the eye.
-    sun_disc: vec3f,
     /// 1/m: how fast the molecules' density falls with height.
     rayleigh_fall: f32,
-    /// 1/m at height 0.
-    rayleigh: vec3f,
+    /// Radiance of the middle of the sun's disc, seen from the eye.
+    sun_disc: vec3f,
     /// 1/m: how fast the haze's density falls with height.
     haze_fall: f32,
-    /// 1/m at height 0, scattering and absorption.
+    /// 1/m at height 0, by molecules.
+    rayleigh: vec3f,
+    /// 1/m at height 0, by haze: scattering and absorption.
     haze: vec3f,
-    /// Radiance of the land in the distance, for reflections: the mean of its colour channels is enough.
-    land: f32,
     /// Spherical harmonics of the upper sky's irradiance.
     sky: array<vec4f, 9>,
     /// The texel whose centre is nearest to the eye.

@@ -72,7 +72,7 @@ impl Atmosphere {
 
     /// Light scattered into a ray between successive distances in metres.
     #[must_use]
-    pub fn gather(&self, height: f64, direction: DVec3, distances: impl IntoIterator<Item = f64>) -> Gathered {
+    pub(super) fn gather(&self, height: f64, direction: DVec3, distances: impl IntoIterator<Item = f64>) -> Gathered {
         let mut gathered = Gathered::NOTHING;
         let mut before = None;
         for distance in distances {
@@ -84,7 +84,7 @@ impl Atmosphere {
     }
 
     /// Goes on along a ray from one distance to another, in one step.
-    pub fn cross(&self, gathered: &mut Gathered, height: f64, direction: DVec3, from: f64, to: f64) {
+    pub(super) fn cross(&self, gathered: &mut Gathered, height: f64, direction: DVec3, from: f64, to: f64) {
         let (radius, vertical) = Ray::new(height.max(0.0), direction).at(0.5 * (from + to));
         let above = (radius - PLANET_RADIUS).max(0.0);
         let air = self.medium.at(above);

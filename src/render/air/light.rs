@@ -54,6 +54,9 @@ impl Daylight {
         // Environment Maps", SIGGRAPH 2001): π, 2π/3, π/4.
         let lobe = [PI, TAU / 3.0, TAU / 3.0, TAU / 3.0, PI / 4.0, PI / 4.0, PI / 4.0, PI / 4.0, PI / 4.0];
         let harmonics = Harmonics(std::array::from_fn(|i| coefficients[i] * lobe[i]));
+        // A bright horizon needs more orders than the second: flat ground, at least, gets exactly its light.
+        let exact = sky / harmonics.irradiance(DVec3::Y).max(DVec3::splat(1e-12));
+        let harmonics = Harmonics(harmonics.0.map(|colour| colour * exact));
         Self { sun: atmosphere.sun_irradiance(height), sky, harmonics }
     }
 

@@ -7,11 +7,6 @@ pub const PLANET_RADIUS: f64 = 6_360e3;
 /// Metres from the planet's centre to where the air ends.
 pub const TOP_RADIUS: f64 = 6_460e3;
 
-/// Metres over which the molecules' density falls by e.
-pub(super) const RAYLEIGH_HEIGHT: f64 = 8_000.0;
-/// Metres over which the haze's density falls by e. (Preetham 1999, A.3: 0.8333/km.)
-pub(super) const HAZE_HEIGHT: f64 = 1_200.0;
-
 /// Cosine-weighted mean of the haze's phase function. Hillaire 2020, table 1.
 const HAZE_FORWARD: f64 = 0.8;
 /// Share of the light that haze scatters and does not absorb: rural aerosol. Hillaire 2020, table 1: 3.996 / 4.44.
@@ -46,13 +41,19 @@ pub struct Local {
 }
 
 impl Medium {
+    /// Metres over which the molecules' density falls by e.
+    pub const RAYLEIGH_HEIGHT: f64 = 8_000.0;
+    /// Metres over which the haze's density falls by e: 1 / (0.8333/km) (Preetham 1999, A.3).
+    pub const HAZE_HEIGHT: f64 = 1_200.0;
+
     /// Air of a turbidity: the optical depth of the whole air over that of its molecules, 1.8 to 10.
     ///
     /// The haze's optical depth is Ångström's β λ^−1.3 with β = 0.04608 T − 0.04586 (Preetham 1999, A.1).
     #[must_use]
     pub fn clear(turbidity: f64) -> Self {
         let beta = (0.04608 * turbidity - 0.04586).max(0.0);
-        let haze_extinction = DVec3::from(WAVELENGTHS.to_array().map(|micro| beta * micro.powf(-1.3))) / HAZE_HEIGHT;
+        let haze_extinction =
+            DVec3::from(WAVELENGTHS.to_array().map(|micro| beta * micro.powf(-1.3))) / Self::HAZE_HEIGHT;
         Self { rayleigh: RAYLEIGH, haze: haze_extinction * HAZE_ALBEDO, haze_extinction }
     }
 
@@ -60,7 +61,7 @@ impl Medium {
     #[must_use]
     pub fn at(&self, height: f64) -> Local {
         let height = height.max(0.0);
-        let (molecules, haze) = ((-height / RAYLEIGH_HEIGHT).exp(), (-height / HAZE_HEIGHT).exp());
+        let (molecules, haze) = ((-height / Self::RAYLEIGH_HEIGHT).exp(), (-height / Self::HAZE_HEIGHT).exp());
         // A tent of ±15 km around 25 km.
         let ozone = (1.0 - (height - 25e3).abs() / 15e3).max(0.0);
         let extinction = self.rayleigh * molecules + self.haze_extinction * haze + OZONE * ozone;

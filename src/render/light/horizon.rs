@@ -3,9 +3,10 @@
 //! Parallel lines sweep the map away from the light, one texel column after the other. Each carries the upper convex hull
 //! of the heights behind it: what lies under the hull can hide nothing from anything farther on, so a place's horizon is
 //! the hull's tangent.
-//! Source: Timonen and Westerholm, "Scalable Height Field Self-Shadowing", Computer Graphics Forum 29(2), 2010. Deviation:
-//! a texel lies between two lines; both hulls are asked with the texel's own height, and the two answers are weighted by
-//! distance, where the paper samples at the lines.
+//! Source: Timonen and Westerholm, "Scalable Height Field Self-Shadowing", Computer Graphics Forum 29(2), 2010. Deviations:
+//! the paper samples at the lines; here a texel lies between two lines, asks both hulls from its own height, and weights
+//! the answers by distance. What is nearer than [`NEAR`] steps is walked on the texel's own line: there half a texel
+//! aside is a large angle.
 
 use glam::DVec2;
 use rayon::prelude::*;
@@ -14,6 +15,9 @@ use crate::render::height_field::HeightField;
 
 /// The tangent of a horizon where nothing stands in the way: 76 degrees below the horizontal.
 pub const OPEN: f32 = -4.0;
+
+/// Steps that each texel walks itself.
+const NEAR: i64 = 8;
 
 /// Horizons of one direction.
 #[derive(Clone, Debug)]
@@ -111,18 +115,52 @@ impl<'a> Sweep<'a> {
         let mut hull = Hull::default();
         let mut answers = Line { low: vec![OPEN; self.steps as usize], high: vec![OPEN; self.steps as usize] };
         for step in 0..self.steps {
+            self.lift(&mut hull, line, step - NEAR);
             let (whole, part) = self.drift(step);
             let low = self.first + line as i64 + whole;
             if low < -1 || low >= self.across {
                 continue;
             }
             let along = step as f64 * self.stride;
-            let heights = [self.height(step, low), self.height(step, low + 1)];
-            answers.low[step as usize] = hull.tangent(along, heights[0]);
-            answers.high[step as usize] = hull.tangent(along, heights[1]);
-            hull.push(along, heights[0] + (heights[1] - heights[0]) * part);
+            let own = self.between(step, low, part);
+            answers.low[step as usize] = hull.tangent(along, self.seen_from(step, low, part, own));
+            answers.high[step as usize] = hull.tangent(along, self.seen_from(step, low + 1, part, own));
         }
         answers
+    }
+
+    /// Adds the line's place at a step to its hull.
+    fn lift(&self, hull: &mut Hull, line: usize, step: i64) {
+        let (whole, part) = self.drift(step);
+        let low = self.first + line as i64 + whole;
+        if step >= 0 && low >= -1 && low < self.across {
+            hull.push(step as f64 * self.stride, self.between(step, low, part));
+        }
+    }
+
+    /// The height between two neighbours on the minor axis.
+    fn between(&self, step: i64, low: i64, part: f64) -> f64 {
+        let (low, high) = (self.height(step, low), self.height(step, low + 1));
+        low + (high - low) * part
+    }
+
+    /// From which height a texel looks along a line beside it whose own height there is `own`: as far over the line as
+    /// the texel is over the mean of its two lines, so that on an even slope both lines answer alike.
+    fn seen_from(&self, step: i64, minor: i64, part: f64, own: f64) -> f64 {
+        let mean = self.between(step, minor, part) * (1.0 - part) + self.between(step, minor - 1, part) * part;
+        self.height(step, minor) + own - mean
+    }
+
+    /// The horizon of a texel among the nearest places on its own line.
+    fn near(&self, step: i64, minor: i64) -> f32 {
+        let height = self.height(step, minor);
+        let slope = |back: i64| {
+            let drift = minor as f64 - self.slope * back as f64;
+            let low = drift.floor();
+            let inside = step >= back && drift >= 0.0 && drift <= (self.across - 1) as f64;
+            inside.then(|| (self.between(step - back, low as i64, drift - low) - height) / (back as f64 * self.stride))
+        };
+        (1..=NEAR).filter_map(slope).fold(f64::from(OPEN), f64::max) as f32
     }
 
     fn texel(&self, lines: &[Line], column: i64, row: i64) -> f32 {
@@ -131,7 +169,7 @@ impl<'a> Sweep<'a> {
         let (whole, part) = self.drift(step);
         let line = (minor - whole - self.first) as usize;
         let (above, below) = (lines[line].low[step as usize], lines[line - 1].high[step as usize]);
-        above + (below - above) * part as f32
+        (above + (below - above) * part as f32).max(self.near(step, minor))
     }
 }
 

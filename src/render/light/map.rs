@@ -29,7 +29,7 @@ pub struct LightMap {
 
 /// Computes the light map: `shadow` asks for the sun's, `directions` (0 for none) for the sky's.
 #[must_use]
-pub fn light_map(field: &HeightField, sun: DVec3, shadow: bool, directions: u32, progress: &Progress) -> LightMap {
+pub fn light_map(field: &HeightField, sun: DVec3, shadow: bool, directions: u32, progress: Progress) -> LightMap {
     let horizon = if shadow { sun_horizon(field, sun, progress) } else { vec![OPEN] };
     let horizon_size = if shadow { field.size() } else { [1, 1] };
     let mut coarse = field.clone();
@@ -48,7 +48,7 @@ pub fn light_map(field: &HeightField, sun: DVec3, shadow: bool, directions: u32,
     LightMap { horizon_size, horizon, sky_size: coarse.size(), sky }
 }
 
-fn sun_horizon(field: &HeightField, sun: DVec3, progress: &Progress) -> Vec<f32> {
+fn sun_horizon(field: &HeightField, sun: DVec3, progress: Progress) -> Vec<f32> {
     let direction = DVec2::new(sun.x, sun.z);
     let phase = progress.phase("sun horizon", Horizons::lines(field, direction));
     Horizons::new(field, direction, &|lines| phase.advance(lines)).tangents

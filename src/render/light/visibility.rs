@@ -32,7 +32,7 @@ pub fn sky_visibility(field: &HeightField, directions: u32, done: &(dyn Fn(u64) 
 
 /// Lines of all sweeps: what `done` of [`sky_visibility`] adds up to.
 #[must_use]
-pub fn sky_lines(field: &HeightField, directions: u32) -> u64 {
+pub(super) fn sky_lines(field: &HeightField, directions: u32) -> u64 {
     azimuths(directions).map(|azimuth| Horizons::lines(field, azimuth)).sum()
 }
 

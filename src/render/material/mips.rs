@@ -1,7 +1,7 @@
 //! Smaller copies of a texture, so that what is far away neither flickers nor costs memory traffic.
 
-use super::decode::Texels;
 use super::Encoding;
+use super::decode::Texels;
 
 /// The bytes of every level as the device takes them, the given one first, down to 1 × 1.
 ///

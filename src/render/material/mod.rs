@@ -10,7 +10,7 @@ pub(super) use upload::MaterialGroup;
 
 use std::path::PathBuf;
 
-pub use terrane_codegen::graph::{Filter, Wrap};
+pub use terrane_codegen::graph::model::{Filter, Wrap};
 
 /// How texels are stored and decoded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -26,11 +26,8 @@ impl MaterialGroup {
 }
 
 fn upload(gpu: &Gpu, array: &TextureArray, phase: &Phase) -> Result<wgpu::TextureView> {
-    let size = wgpu::Extent3d {
-        width: array.size.0,
-        height: array.size.1,
-        depth_or_array_layers: array.layers.len() as u32,
-    };
+    let size =
+        wgpu::Extent3d { width: array.size.0, height: array.size.1, depth_or_array_layers: array.layers.len() as u32 };
     let texture = gpu.checked("texture array", || {
         gpu.device.create_texture(&wgpu::TextureDescriptor {
             label: Some("material textures"),
