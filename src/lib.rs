@@ -1,3 +1,4 @@
 //! Terrane: the renderer and the measuring.
 
 pub mod content;
+pub mod render;

@@ -2,5 +2,6 @@
 
 mod content;
 mod house;
+mod render;
 mod skip;
 mod tint;

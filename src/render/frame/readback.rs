@@ -1,0 +1,45 @@
+//! Textures as bytes on the host.
+
+use crate::render::error::{RenderError, Result};
+use crate::render::gpu::Gpu;
+
+/// Rows of a texture whose texels have 4 bytes, without padding.
+pub(crate) fn read_bytes(gpu: &Gpu, texture: &wgpu::Texture) -> Result<Vec<u8>> {
+    let size = texture.size();
+    // Rows of a copy are a multiple of 256 bytes apart.
+    let stride = (size.width * 4).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
+    let buffer = gpu.checked("read-back buffer", || {
+        gpu.device.create_buffer(&wgpu::BufferDescriptor {
+            label: Some("read back"),
+            size: u64::from(stride) * u64::from(size.height),
+            usage: wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ,
+            mapped_at_creation: false,
+        })
+    })?;
+    let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    encoder.copy_texture_to_buffer(
+        texture.as_image_copy(),
+        wgpu::TexelCopyBufferInfo {
+            buffer: &buffer,
+            layout: wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(stride), rows_per_image: None },
+        },
+        size,
+    );
+    gpu.queue.submit([encoder.finish()]);
+    let (send, receive) = std::sync::mpsc::channel();
+    buffer.map_async(wgpu::MapMode::Read, .., move |result| {
+        // The receiver lives until the result is there.
+        drop(send.send(result));
+    });
+    gpu.wait()?;
+    let lost = |error: String| RenderError::Lost(error);
+    receive.recv().map_err(|error| lost(error.to_string()))?.map_err(|error| lost(error.to_string()))?;
+    let mapped = buffer.get_mapped_range(..).map_err(|error| lost(error.to_string()))?;
+    Ok(mapped.chunks_exact(stride as usize).flat_map(|row| &row[..size.width as usize * 4]).copied().collect())
+}
+
+/// The depth of every sample, row by row.
+pub(crate) fn read_depth(gpu: &Gpu, depth: &wgpu::Texture) -> Result<Vec<f32>> {
+    let bytes = read_bytes(gpu, depth)?;
+    Ok(bytes.chunks_exact(4).map(|b| f32::from_le_bytes([b[0], b[1], b[2], b[3]])).collect())
+}

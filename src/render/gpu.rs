@@ -1,0 +1,142 @@
+//! The graphics device: which there are, which one is used.
+
+use std::sync::{Arc, Mutex};
+
+use super::error::{RenderError, Result};
+
+/// Which adapter to use.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub enum Selection {
+    /// The fastest kind there is.
+    #[default]
+    Best,
+    /// The position in [`Gpu::list`].
+    Index(usize),
+    /// A part of the name, whatever its case.
+    Name(String),
+}
+
+impl Selection {
+    /// What a user writes: a number is an index, anything else a part of a name.
+    #[must_use]
+    pub fn parse(text: &str) -> Self {
+        text.parse().map_or_else(|_| Self::Name(text.to_owned()), Self::Index)
+    }
+
+    fn pick(&self, names: &[String]) -> Option<usize> {
+        match self {
+            Self::Best => (!names.is_empty()).then_some(0),
+            Self::Index(index) => (*index < names.len()).then_some(*index),
+            Self::Name(part) => {
+                let part = part.to_lowercase();
+                names.iter().position(|name| name.to_lowercase().contains(&part))
+            }
+        }
+    }
+}
+
+/// An open device.
+#[derive(Debug)]
+pub struct Gpu {
+    name: String,
+    pub(super) device: wgpu::Device,
+    pub(super) queue: wgpu::Queue,
+    /// What the driver reported outside of any error scope.
+    failure: Arc<Mutex<Option<String>>>,
+}
+
+impl Gpu {
+    /// Opens a device with the default limits of WebGPU and no optional feature.
+    ///
+    /// # Errors
+    /// [`RenderError::NoAdapter`] where there is none at all, [`RenderError::UnknownAdapter`] where none is meant by the
+    /// selection, [`RenderError::Device`] where the driver gives no device.
+    pub fn new(selection: &Selection) -> Result<Self> {
+        let adapters = adapters();
+        let names: Vec<String> = adapters.iter().map(describe).collect();
+        if names.is_empty() {
+            return Err(RenderError::NoAdapter);
+        }
+        let index = selection.pick(&names).ok_or_else(|| unknown(selection, &names))?;
+        let name = names[index].clone();
+        let descriptor = wgpu::DeviceDescriptor { label: Some("terrane"), ..Default::default() };
+        let (device, queue) = pollster::block_on(adapters[index].request_device(&descriptor))
+            .map_err(|error| RenderError::Device { adapter: name.clone(), reason: error.to_string() })?;
+        let failure = Arc::new(Mutex::new(None));
+        let seen = Arc::clone(&failure);
+        device.on_uncaptured_error(Arc::new(move |error: wgpu::Error| {
+            if let Ok(mut seen) = seen.lock() {
+                seen.get_or_insert(error.to_string());
+            }
+        }));
+        Ok(Self { name, device, queue, failure })
+    }
+
+    /// Every adapter's name, in the order of preference: discrete, integrated, virtual, software.
+    #[must_use]
+    pub fn list() -> Vec<String> {
+        adapters().iter().map(describe).collect()
+    }
+
+    /// Name, kind and programming interface of the adapter in use.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Creates something and returns what wgpu has against it.
+    pub(super) fn checked<T>(&self, what: &'static str, create: impl FnOnce() -> T) -> Result<T> {
+        let memory = self.device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);
+        let validation = self.device.push_error_scope(wgpu::ErrorFilter::Validation);
+        let made = create();
+        let errors = [pollster::block_on(validation.pop()), pollster::block_on(memory.pop())];
+        match errors.into_iter().flatten().next() {
+            None => Ok(made),
+            Some(error) => Err(RenderError::Refused { what, reason: error.to_string() }),
+        }
+    }
+
+    /// Waits until everything that was submitted is done.
+    pub(super) fn wait(&self) -> Result<()> {
+        self.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|error| RenderError::Lost(error.to_string()))?;
+        match self.failure.lock().ok().and_then(|mut failure| failure.take()) {
+            None => Ok(()),
+            Some(reason) => Err(RenderError::Lost(reason)),
+        }
+    }
+}
+
+/// OpenGL lacks parts of core WebGPU and talks to the window system: it is asked only where there is nothing else.
+fn adapters() -> Vec<wgpu::Adapter> {
+    let first = adapters_of(wgpu::Backends::PRIMARY);
+    if first.is_empty() { adapters_of(wgpu::Backends::GL) } else { first }
+}
+
+fn adapters_of(backends: wgpu::Backends) -> Vec<wgpu::Adapter> {
+    let descriptor = wgpu::InstanceDescriptor { backends, ..wgpu::InstanceDescriptor::new_without_display_handle() };
+    let instance = wgpu::Instance::new(descriptor);
+    let mut adapters = pollster::block_on(instance.enumerate_adapters(backends));
+    adapters.sort_by_key(|adapter| match adapter.get_info().device_type {
+        wgpu::DeviceType::DiscreteGpu => 0,
+        wgpu::DeviceType::IntegratedGpu => 1,
+        wgpu::DeviceType::VirtualGpu => 2,
+        wgpu::DeviceType::Cpu => 3,
+        wgpu::DeviceType::Other => 4,
+    });
+    adapters
+}
+
+fn describe(adapter: &wgpu::Adapter) -> String {
+    let info = adapter.get_info();
+    format!("{} ({:?}, {:?})", info.name, info.device_type, info.backend)
+}
+
+fn unknown(selection: &Selection, names: &[String]) -> RenderError {
+    let wanted = match selection {
+        Selection::Best => String::new(),
+        Selection::Index(index) => index.to_string(),
+        Selection::Name(name) => name.clone(),
+    };
+    let known = names.iter().enumerate().map(|(index, name)| format!("{index}: {name}")).collect();
+    RenderError::UnknownAdapter { wanted, known }
+}

@@ -1,0 +1,9 @@
+//! Light at terrain scale, computed once per scene: the sun's shadow and the part of the sky that each place sees.
+
+mod horizon;
+mod map;
+mod visibility;
+
+pub use horizon::{Horizons, OPEN};
+pub use map::{LightMap, light_map};
+pub use visibility::{SkyVisibility, sky_visibility};

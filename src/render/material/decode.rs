@@ -1,0 +1,63 @@
+//! PNG files as texels.
+
+use std::fs::File;
+use std::io::BufReader;
+use std::path::Path;
+
+use super::Encoding;
+use crate::render::error::{RenderError, Result};
+
+/// Texels as the file stores them, 0..1, with the channels that the encoding asks for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Texels {
+    /// Width and height.
+    pub size: (u32, u32),
+    /// 4, or 1 for [`Encoding::Linear16`].
+    pub channels: usize,
+    /// Row by row. Colours are still encoded as in the file.
+    pub values: Vec<f32>,
+}
+
+/// Reads a PNG of the expected size. Grey becomes red, green and blue; where there is no alpha it is 1.
+///
+/// # Errors
+/// [`RenderError::Texture`] where the file is missing, broken, or of another size.
+pub fn decode(path: &Path, size: (u32, u32), encoding: Encoding) -> Result<Texels> {
+    try_decode(path, size, encoding).map_err(|reason| RenderError::Texture { path: path.to_owned(), reason })
+}
+
+fn try_decode(path: &Path, size: (u32, u32), encoding: Encoding) -> std::result::Result<Texels, String> {
+    let file = File::open(path).map_err(|error| error.to_string())?;
+    let mut decoder = png::Decoder::new(BufReader::new(file));
+    decoder.set_transformations(png::Transformations::EXPAND);
+    let mut reader = decoder.read_info().map_err(|error| error.to_string())?;
+    // Before anything of the file's size is allocated.
+    let (width, height) = reader.info().size();
+    if (width, height) != size {
+        return Err(format!("is {width} x {height}, expected {} x {}", size.0, size.1));
+    }
+    let length = reader.output_buffer_size().ok_or("is too large")?;
+    let mut bytes = vec![0; length];
+    let frame = reader.next_frame(&mut bytes).map_err(|error| error.to_string())?;
+    let values = match frame.bit_depth {
+        png::BitDepth::Sixteen => bytes[..frame.buffer_size()]
+            .chunks_exact(2)
+            .map(|pair| f32::from(u16::from_be_bytes([pair[0], pair[1]])) / 65535.0)
+            .collect::<Vec<_>>(),
+        _ => bytes[..frame.buffer_size()].iter().map(|&byte| f32::from(byte) / 255.0).collect(),
+    };
+    let channels = if encoding == Encoding::Linear16 { 1 } else { 4 };
+    Ok(Texels { size, channels, values: spread(&values, frame.color_type.samples(), channels) })
+}
+
+/// From grey, grey and alpha, RGB or RGBA to one channel or four.
+fn spread(values: &[f32], from: usize, to: usize) -> Vec<f32> {
+    let texel = |texel: &[f32]| match texel {
+        [grey] => [*grey, *grey, *grey, 1.0],
+        [grey, alpha] => [*grey, *grey, *grey, *alpha],
+        [red, green, blue] => [*red, *green, *blue, 1.0],
+        [red, green, blue, alpha, ..] => [*red, *green, *blue, *alpha],
+        [] => [0.0; 4],
+    };
+    values.chunks_exact(from).flat_map(|values| texel(values).into_iter().take(to)).collect()
+}

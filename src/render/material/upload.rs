@@ -1,0 +1,153 @@
+//! A material on the device.
+
+use rayon::prelude::*;
+
+use super::{Encoding, Filter, Material, Sampling, TextureArray, Wrap, decode, mip_chain};
+use crate::render::error::Result;
+use crate::render::gpu::Gpu;
+use crate::render::progress::{Phase, Progress};
+
+/// Group 1: its layout, which is the same for every shader of a terrain, and what is bound.
+#[derive(Debug)]
+pub(crate) struct MaterialGroup {
+    pub(crate) layout: wgpu::BindGroupLayout,
+    pub(crate) group: wgpu::BindGroup,
+}
+
+impl MaterialGroup {
+    /// Reads the files, builds their mips on all cores, and uploads them.
+    pub(crate) fn new(gpu: &Gpu, material: &Material, progress: Progress) -> Result<Self> {
+        let layers = material.arrays.iter().map(|array| array.layers.len() as u64).sum();
+        let phase = progress.phase("textures", layers);
+        let arrays: Vec<wgpu::TextureView> =
+            material.arrays.iter().map(|array| upload(gpu, array, &phase)).collect::<Result<_>>()?;
+        gpu.checked("material's bindings", || bind(gpu, material, &arrays))
+    }
+}
+
+fn upload(gpu: &Gpu, array: &TextureArray, phase: &Phase) -> Result<wgpu::TextureView> {
+    let size =
+        wgpu::Extent3d { width: array.size.0, height: array.size.1, depth_or_array_layers: array.layers.len() as u32 };
+    let texture = gpu.checked("texture array", || {
+        gpu.device.create_texture(&wgpu::TextureDescriptor {
+            label: Some("material textures"),
+            size,
+            mip_level_count: size.max_mips(wgpu::TextureDimension::D2),
+            sample_count: 1,
+            dimension: wgpu::TextureDimension::D2,
+            format: array.encoding.format(),
+            usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
+            view_formats: &[],
+        })
+    })?;
+    // A few layers at a time: a layer's chain in floats is 20 bytes per texel.
+    for (base, paths) in array.layers.chunks(rayon::current_num_threads()).enumerate() {
+        let chains: Vec<Vec<Vec<u8>>> = paths
+            .par_iter()
+            .map(|path| {
+                let texels = decode(path, array.size, array.encoding)?;
+                let chain = mip_chain(&texels, array.encoding);
+                phase.advance(1);
+                Ok(chain)
+            })
+            .collect::<Result<_>>()?;
+        for (offset, chain) in chains.iter().enumerate() {
+            write_layer(gpu, &texture, array, (base * rayon::current_num_threads() + offset) as u32, chain);
+        }
+    }
+    let dimension = Some(wgpu::TextureViewDimension::D2Array);
+    Ok(texture.create_view(&wgpu::TextureViewDescriptor { dimension, ..Default::default() }))
+}
+
+fn write_layer(gpu: &Gpu, texture: &wgpu::Texture, array: &TextureArray, layer: u32, chain: &[Vec<u8>]) {
+    let texel = if array.encoding == Encoding::Linear16 { 2 } else { 4 };
+    for (level, bytes) in chain.iter().enumerate() {
+        let (width, height) = ((array.size.0 >> level).max(1), (array.size.1 >> level).max(1));
+        gpu.queue.write_texture(
+            wgpu::TexelCopyTextureInfo {
+                texture,
+                mip_level: level as u32,
+                origin: wgpu::Origin3d { x: 0, y: 0, z: layer },
+                aspect: wgpu::TextureAspect::All,
+            },
+            bytes,
+            wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(width * texel), rows_per_image: Some(height) },
+            wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
+        );
+    }
+}
+
+fn bind(gpu: &Gpu, material: &Material, arrays: &[wgpu::TextureView]) -> MaterialGroup {
+    let parameters = material.parameters.as_ref().map(|(binding, bytes)| (*binding, uniform(gpu, bytes)));
+    let samplers: Vec<wgpu::Sampler> = material.samplers.iter().map(|sampling| sampler(gpu, *sampling)).collect();
+    let mut layout = Vec::new();
+    let mut entries = Vec::new();
+    let mut add = |binding, ty, resource| {
+        let visibility = wgpu::ShaderStages::FRAGMENT;
+        layout.push(wgpu::BindGroupLayoutEntry { binding, visibility, ty, count: None });
+        entries.push(wgpu::BindGroupEntry { binding, resource });
+    };
+    if let Some((binding, buffer)) = &parameters {
+        let ty = wgpu::BufferBindingType::Uniform;
+        let ty = wgpu::BindingType::Buffer { ty, has_dynamic_offset: false, min_binding_size: None };
+        add(*binding, ty, buffer.as_entire_binding());
+    }
+    for (array, view) in material.arrays.iter().zip(arrays) {
+        let ty = wgpu::BindingType::Texture {
+            sample_type: wgpu::TextureSampleType::Float { filterable: true },
+            view_dimension: wgpu::TextureViewDimension::D2Array,
+            multisampled: false,
+        };
+        add(array.binding, ty, wgpu::BindingResource::TextureView(view));
+    }
+    for (sampling, sampler) in material.samplers.iter().zip(&samplers) {
+        let ty = wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering);
+        add(sampling.binding, ty, wgpu::BindingResource::Sampler(sampler));
+    }
+    let layout = gpu
+        .device
+        .create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some("material"), entries: &layout });
+    let group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: Some("material"),
+        layout: &layout,
+        entries: &entries,
+    });
+    MaterialGroup { layout, group }
+}
+
+fn uniform(gpu: &Gpu, bytes: &[u8]) -> wgpu::Buffer {
+    let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some("terrain parameters"),
+        // A uniform's size is a multiple of its alignment, 16.
+        size: (bytes.len() as u64).next_multiple_of(16),
+        usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
+        mapped_at_creation: false,
+    });
+    let mut padded = bytes.to_vec();
+    padded.resize(bytes.len().next_multiple_of(16), 0);
+    gpu.queue.write_buffer(&buffer, 0, &padded);
+    buffer
+}
+
+fn sampler(gpu: &Gpu, sampling: Sampling) -> wgpu::Sampler {
+    let wrap = match sampling.wrap {
+        Wrap::Repeat => wgpu::AddressMode::Repeat,
+        Wrap::Clamp => wgpu::AddressMode::ClampToEdge,
+        Wrap::Mirror => wgpu::AddressMode::MirrorRepeat,
+    };
+    let (filter, mips) = match sampling.filter {
+        Filter::Linear => (wgpu::FilterMode::Linear, wgpu::MipmapFilterMode::Linear),
+        Filter::Nearest => (wgpu::FilterMode::Nearest, wgpu::MipmapFilterMode::Nearest),
+    };
+    gpu.device.create_sampler(&wgpu::SamplerDescriptor {
+        label: Some("material"),
+        address_mode_u: wrap,
+        address_mode_v: wrap,
+        address_mode_w: wrap,
+        mag_filter: filter,
+        min_filter: filter,
+        mipmap_filter: mips,
+        anisotropy_clamp: u16::from(sampling.anisotropy.clamp(1, 16)),
+        ..Default::default()
+    })
+}

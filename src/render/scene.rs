@@ -1,0 +1,173 @@
+//! From a scene to its picture.
+
+use glam::{DVec2, DVec3};
+
+use super::air::{Aerial, Atmosphere, SkyTable};
+use super::camera::{Camera, View, sun_direction};
+use super::error::{RenderError, Result};
+use super::frame::{
+    Bound, SkyPipeline, Tables, Targets, TerrainDraw, TerrainPipeline, ViewUniform, read_depth, resolve,
+};
+use super::geometry::{Bounds, select, visible};
+use super::gpu::Gpu;
+use super::height_field::HeightField;
+use super::image::Image;
+use super::light::light_map;
+use super::lights::Lights;
+use super::material::{Material, MaterialGroup};
+use super::progress::Progress;
+
+/// Everything that a picture of a terrain depends on.
+#[derive(Clone, Debug)]
+pub struct RenderScene<'a> {
+    /// The complete WGSL: the emitted core within `terrane_shaderlib::hosts::WGPU_TERRAIN`.
+    pub shader: &'a str,
+    /// What the shader's group 1 reads.
+    pub material: &'a Material,
+    /// The shape of the terrain.
+    pub field: &'a HeightField,
+    /// Whether the terrain throws shadows on itself.
+    pub shadow: bool,
+    /// Directions of the sky's occlusion by the terrain, 0 for none.
+    pub occlusion: u32,
+    /// Where from.
+    pub camera: Camera,
+    /// Degrees clockwise from north (−z), and above the horizon.
+    pub sun: [f64; 2],
+    /// 1.8 is arctic air, 10 is haze.
+    pub turbidity: f64,
+    /// Stops on top of the base exposure.
+    pub exposure: f64,
+    /// Width and height in pixels.
+    pub image: [u32; 2],
+    /// Samples of a pixel on a side.
+    pub supersampling: u32,
+    /// Pixels by which simplified terrain may be off.
+    pub tolerance: f64,
+}
+
+/// A picture and its depth.
+#[derive(Clone, Debug)]
+pub struct Rendered {
+    /// The picture.
+    pub image: Image,
+    /// [`super::NEAR`] over metres along the view's axis, 0 for the sky; one per sample, row by row.
+    pub depth: Vec<f32>,
+}
+
+/// Largest side of a texture that core WebGPU promises.
+const LARGEST: u32 = 8192;
+
+/// Draws a scene.
+///
+/// # Errors
+/// [`RenderError::Scene`] for a camera, sun or size that makes no picture, [`RenderError::Texture`] for a file of the
+/// material, the others where the device fails.
+pub fn render_scene(gpu: &Gpu, scene: &RenderScene<'_>, progress: Progress) -> Result<Image> {
+    let targets = draw(gpu, scene, progress)?;
+    let _phase = progress.phase("tone mapping", 1);
+    resolve(gpu, &targets.radiance, scene.supersampling)
+}
+
+/// Draws a scene and keeps its depth.
+///
+/// # Errors
+/// As [`render_scene`].
+pub fn render_with_depth(gpu: &Gpu, scene: &RenderScene<'_>, progress: Progress) -> Result<Rendered> {
+    let targets = draw(gpu, scene, progress)?;
+    Ok(Rendered {
+        image: resolve(gpu, &targets.radiance, scene.supersampling)?,
+        depth: read_depth(gpu, &targets.depth)?,
+    })
+}
+
+fn draw(gpu: &Gpu, scene: &RenderScene<'_>, progress: Progress) -> Result<Targets> {
+    scene.validate()?;
+    let view = scene.camera.view(scene.image[0], scene.image[1])?;
+    let [width, height] = scene.image.map(|side| side * scene.supersampling);
+    let material = MaterialGroup::new(gpu, scene.material, progress)?;
+    let bound = bind(gpu, scene, &view, progress)?;
+    let terrain = {
+        let _phase = progress.phase("terrain shader", 1);
+        TerrainPipeline::new(gpu, scene.shader, &bound, &material)?
+    };
+    let sky = SkyPipeline::new(gpu, &bound)?;
+    let patches = TerrainDraw::new(gpu, scene.field, &scene.patches(&view, progress))?;
+    let targets = Targets::new(gpu, width, height)?;
+    let _phase = progress.phase("drawing", 1);
+    let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    gpu.checked("drawing commands", || {
+        patches.draw_depth(&mut targets.depth_pass(&mut encoder), &terrain, &bound, &material);
+        let mut pass = targets.light_pass(&mut encoder);
+        patches.draw_light(&mut pass, &terrain, &bound, &material);
+        sky.draw(&mut pass, &bound);
+    })?;
+    gpu.queue.submit([encoder.finish()]);
+    gpu.wait()?;
+    Ok(targets)
+}
+
+fn bind(gpu: &Gpu, scene: &RenderScene<'_>, view: &View, progress: Progress) -> Result<Bound> {
+    let sun = sun_direction(scene.sun[0], scene.sun[1]);
+    let phase = progress.phase("atmosphere", 4);
+    let atmosphere = Atmosphere::new(scene.turbidity, sun);
+    phase.advance(1);
+    let lights = Lights::new(&atmosphere, scene.field.range(), scene.exposure);
+    phase.advance(1);
+    let sky = SkyTable::new(&atmosphere, view.eye.y, lights.low.sky);
+    phase.advance(1);
+    let aerial = Aerial::new(&atmosphere, view, scene.reach(view.eye));
+    drop(phase);
+    let light = light_map(scene.field, sun, scene.shadow, scene.occlusion, progress);
+    let samples = scene.image.map(|side| side * scene.supersampling);
+    let uniform = ViewUniform::new(view, scene.field, &atmosphere, &lights, aerial.reach, samples);
+    let field = scene.field;
+    Bound::new(gpu, &Tables { view: uniform, lights: &lights, sky: &sky, aerial: &aerial, field, light: &light })
+}
+
+impl RenderScene<'_> {
+    fn validate(&self) -> Result<()> {
+        let refuse = |reason: String| Err(RenderError::Scene(reason));
+        if !(1..=8).contains(&self.supersampling) {
+            return refuse(format!("supersampling of {} is not in 1..8", self.supersampling));
+        }
+        let largest = LARGEST / self.supersampling;
+        if self.image.iter().any(|side| !(1..=largest).contains(side)) {
+            let [width, height] = self.image;
+            return refuse(format!("a picture of {width} x {height} is not in 1..{largest} pixels on each side"));
+        }
+        if !(0.0..=90.0).contains(&self.sun[1]) || !self.sun[0].is_finite() {
+            return refuse(format!("a sun {} degrees above the horizon is not in 0..90", self.sun[1]));
+        }
+        if !(1.0..=20.0).contains(&self.turbidity) || !(-20.0..=20.0).contains(&self.exposure) {
+            return refuse("turbidity is not in 1..20 or exposure not in -20..20 stops".into());
+        }
+        if self.tolerance.is_nan() || self.tolerance < 0.0 {
+            return refuse(format!("a tolerance of {} pixels is negative", self.tolerance));
+        }
+        let [x, y, z] = self.camera.eye;
+        let ground = self.field.bilinear(x, z);
+        if y <= ground && [x, z].iter().zip(self.field.extent()).all(|(at, extent)| (0.0..extent).contains(at)) {
+            return refuse(format!("camera: the eye is {:.1} m under the ground at {ground:.1} m", ground - y));
+        }
+        Ok(())
+    }
+
+    fn patches(&self, view: &View, progress: Progress) -> Vec<super::geometry::Patch> {
+        let _phase = progress.phase("terrain patches", 1);
+        let bounds = Bounds::new(self.field);
+        let tolerance = self.tolerance / view.pixels_per_radian(self.image[1]);
+        let leaves = select(self.field, &bounds, view.eye, tolerance);
+        let patches = visible(self.field, &bounds, view, &leaves);
+        log::debug!("{} of {} patches are visible", patches.len(), leaves.len());
+        patches
+    }
+
+    /// Metres from the eye to the terrain's farthest corner.
+    fn reach(&self, eye: DVec3) -> f64 {
+        let extent = self.field.extent();
+        let flat = DVec2::new(eye.x.abs().max((eye.x - extent[0]).abs()), eye.z.abs().max((eye.z - extent[1]).abs()));
+        let [low, high] = self.field.range().map(f64::from);
+        flat.extend((eye.y - low).abs().max((eye.y - high).abs())).length()
+    }
+}

@@ -1,0 +1,8 @@
+//! The renderer: geometry, light and air against independent references, pictures against the CPU.
+
+mod air;
+mod geometry;
+mod light;
+mod material;
+mod picture;
+mod world;
