@@ -1,4 +1,6 @@
-//! Terrane: the renderer and the measuring.
+//! Terrane: the makers of textures and the renderer.
 
 pub mod content;
+pub mod file;
 pub mod render;
+pub mod scene;

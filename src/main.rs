@@ -1,2 +1,11 @@
 //! The command line of Terrane.
-fn main() {}
+
+use std::process::ExitCode;
+
+use clap::Parser;
+
+mod commands;
+
+fn main() -> ExitCode {
+    commands::Cli::parse().run()
+}

@@ -1,13 +1,12 @@
 //! `terrane build`: WGSL, manifest and textures for an engine.
 
-use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use terrane_codegen::compile::Compiled;
 use terrane_codegen::graph::{FileRole, Project};
 
 use super::{Failure, project};
-use terrane::{content, file};
+use terrane::{file, scene};
 
 /// Write the WGSL of a terrain or surface, its manifest, and the textures it reads
 #[derive(Debug, clap::Args)]
@@ -15,7 +14,7 @@ use terrane::{content, file};
 
 Writes NAME.core.wgsl (functions and structs), NAME.wgsl (the same with plain WebGPU entry points),
 NAME.json (the manifest) and the PNG files that the manifest names.")]
-pub struct Build {
+pub(crate) struct Build {
     /// A terrain or a surface
     #[arg(value_name = "GRAPH")]
     graph: PathBuf,
@@ -28,7 +27,7 @@ pub struct Build {
 }
 
 impl Build {
-    pub fn run(self) -> Result<(), Failure> {
+    pub(crate) fn run(self) -> Result<(), Failure> {
         let mut project = project::open(&self.graph)?;
         let path = project::relative(&mut project, &self.graph)?;
         let compiled = compile(&mut project, &path)?;
@@ -55,10 +54,12 @@ impl Build {
 fn compile(project: &mut Project, path: &str) -> Result<Compiled, Failure> {
     let surface = matches!(project.role(path), Some(FileRole::Surface));
     let (compiled, warnings) = if surface {
-        let (graphs, surface, warnings) = project.surface(path).map_err(|found| project::findings(&found, &project.sources))?;
+        let (graphs, surface, warnings) =
+            project.surface(path).map_err(|found| project::findings(&found, &project.sources))?;
         (project::compiler(project).surface(&graphs, surface), warnings)
     } else {
-        let (graphs, terrain, warnings) = project.terrain(path).map_err(|found| project::findings(&found, &project.sources))?;
+        let (graphs, terrain, warnings) =
+            project.terrain(path).map_err(|found| project::findings(&found, &project.sources))?;
         (project::compiler(project).terrain(&graphs, &terrain), warnings)
     };
     project::warn(&warnings, &project.sources);
@@ -67,10 +68,8 @@ fn compile(project: &mut Project, path: &str) -> Result<Compiled, Failure> {
 
 /// Makes what is missing, then puts every file that the manifest names beside it.
 fn copy_textures(project: &Project, compiled: &Compiled, output: &Path) -> Result<(), Failure> {
-    let manifest = &compiled.manifest;
-    let layers = manifest.textures.iter().flat_map(|texture| texture.layers.iter().cloned());
-    let files: BTreeSet<String> = layers.chain(manifest.terrain.iter().map(|terrain| terrain.height_map.clone())).collect();
-    content::make(project, &files).map_err(|error| Failure::Machine(error.to_string()))?;
+    let files = scene::files(compiled);
+    scene::make(project, &files).map_err(|error| Failure::Machine(error.to_string()))?;
     for name in files {
         let from = project.root().join(&name);
         let bytes = std::fs::read(&from).map_err(|error| Failure::file("read", &from, &error))?;

@@ -9,15 +9,17 @@ use super::{Failure, project};
 
 /// Find what is wrong with graphs, and have their WGSL judged by naga
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Examples:\n  terrane check\n  terrane check graphs/surfaces/granite.ron graphs/terrains/alpine.ron")]
-pub struct Check {
+#[command(
+    after_help = "Examples:\n  terrane check\n  terrane check graphs/surfaces/granite.ron graphs/terrains/alpine.ron"
+)]
+pub(crate) struct Check {
     /// Graph files; the whole project of the working directory if there are none
     #[arg(value_name = "FILE")]
     files: Vec<PathBuf>,
 }
 
 impl Check {
-    pub fn run(self) -> Result<(), Failure> {
+    pub(crate) fn run(self) -> Result<(), Failure> {
         let start = self.files.first().cloned().unwrap_or_else(|| PathBuf::from("."));
         let mut project = project::open(&start)?;
         let mut paths = Vec::new();

@@ -1,8 +1,11 @@
 //! One file for each command. Results go to stdout, everything else to stderr.
 
+mod build;
+mod check;
 mod nodes;
+mod project;
+mod render;
 
-use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
@@ -10,7 +13,7 @@ use clap::{Parser, Subcommand};
 /// Compiles terrain materials: RON node graphs in, specialised single-pass WGSL out.
 #[derive(Debug, Parser)]
 #[command(version, about, after_help = AFTER_HELP)]
-pub struct Cli {
+pub(crate) struct Cli {
     #[command(subcommand)]
     command: Command,
 }
@@ -27,13 +30,19 @@ Exit codes: 0 done, 1 the graphs are wrong, 2 the command line is wrong, 3 the m
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    Check(check::Check),
+    Build(build::Build),
+    Render(render::Render),
     Nodes(nodes::Nodes),
 }
 
 impl Cli {
     /// Runs the command and says on stderr what went wrong.
-    pub fn run(self) -> ExitCode {
+    pub(crate) fn run(self) -> ExitCode {
         let result = match self.command {
+            Command::Check(command) => command.run(),
+            Command::Build(command) => command.run(),
+            Command::Render(command) => command.run(),
             Command::Nodes(command) => command.run(),
         };
         match result {
@@ -45,7 +54,7 @@ impl Cli {
 
 /// Why a command did not do what was asked.
 #[derive(Debug)]
-pub enum Failure {
+pub(crate) enum Failure {
     /// The graphs are wrong; the text is the rendered report.
     Findings(String),
     /// The command line asks for what is not there.
@@ -66,15 +75,7 @@ impl Failure {
     }
 
     /// A file that could not be read or written.
-    pub fn file(doing: &str, path: &std::path::Path, error: &dyn std::fmt::Display) -> Self {
+    pub(crate) fn file(doing: &str, path: &std::path::Path, error: &dyn std::fmt::Display) -> Self {
         Self::Machine(format!("cannot {doing} {}: {error}", path.display()))
     }
-}
-
-/// Where a result goes.
-#[derive(Clone, Debug, clap::Args)]
-pub struct Output {
-    /// Where the result goes
-    #[arg(short, long, value_name = "PATH")]
-    pub output: PathBuf,
 }

@@ -10,13 +10,13 @@ use super::Failure;
 /// List the nodes that a graph may use, or read about one
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:\n  terrane nodes\n  terrane nodes overlay")]
-pub struct Nodes {
+pub(crate) struct Nodes {
     /// The node to read about; all of them are listed if there is none
     name: Option<String>,
 }
 
 impl Nodes {
-    pub fn run(self) -> Result<(), Failure> {
+    pub(crate) fn run(self) -> Result<(), Failure> {
         let mut sources = Sources::default();
         let library = Library::load(&mut sources, &[])
             .map_err(|findings| Failure::Findings(render(&findings, &sources, false)))?;

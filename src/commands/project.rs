@@ -2,11 +2,13 @@
 
 use std::io::IsTerminal as _;
 use std::path::Path;
+use std::sync::LazyLock;
 
 use terrane_codegen::compile::Compiler;
 use terrane_codegen::diagnostic::{Diagnostic, Sources, render};
 use terrane_codegen::graph::Project;
 use terrane_codegen::program::Options;
+use terrane_shaderlib::hosts;
 
 use super::Failure;
 
@@ -38,12 +40,9 @@ pub(super) fn warn(found: &[Diagnostic], sources: &Sources) {
     eprint!("{}", render(found, sources, std::io::stderr().is_terminal()));
 }
 
+static HOST: LazyLock<String> = LazyLock::new(|| hosts::join(hosts::WGPU_TERRAIN));
+
 /// The generator with the plain WebGPU host.
 pub(super) fn compiler(project: &Project) -> Compiler<'_> {
-    Compiler {
-        library: &project.library,
-        sources: &project.sources,
-        host: terrane_shaderlib::WGPU_HOST,
-        options: Options::default(),
-    }
+    Compiler { library: &project.library, sources: &project.sources, host: &HOST, options: Options::default() }
 }

@@ -23,7 +23,9 @@ mod resolve;
 mod suggest;
 mod syntax;
 
+pub use file::FileRole;
 pub use files::{Disk, FileError, Files, Memory};
 pub use image::ImageHeader;
 pub use made::Made;
 pub use project::{Answer, OpenError, PROJECT_FILE, Project};
+pub use suggest::nearest;

@@ -200,7 +200,8 @@ impl Project {
         found
     }
 
-    fn role(&mut self, path: &str) -> Option<FileRole> {
+    /// What a file is, by its first word.
+    pub fn role(&mut self, path: &str) -> Option<FileRole> {
         let path = path::normalise(path).ok()?;
         if let Some(source) = self.texts.read.get(&path) {
             return role_of(*source, &self.sources.get(*source).text);

@@ -1,7 +1,7 @@
 //! "Did you mean": the nearest known name to an unknown one.
 
 /// The nearest of some names, if it is near enough to be meant.
-pub(crate) fn nearest<'a>(unknown: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+pub fn nearest<'a>(unknown: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let limit = unknown.chars().count().div_ceil(3).min(4);
     let ranked = known.into_iter().map(|name| (distance(unknown, name), name));
     ranked.filter(|(distance, name)| *distance <= limit || is_part(unknown, name)).min().map(|(_, name)| name)

@@ -4,15 +4,15 @@ use std::fs::File;
 use std::io::BufReader;
 use std::path::Path;
 
-use super::Encoding;
+use super::{Format, channels};
 use crate::render::error::{RenderError, Result};
 
-/// Texels as the file stores them, 0..1, with the channels that the encoding asks for.
+/// Texels as the file stores them, 0..1, with the channels that the format asks for.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Texels {
     /// Width and height.
     pub size: (u32, u32),
-    /// 4, or 1 for [`Encoding::Linear16`].
+    /// 1 or 4.
     pub channels: usize,
     /// Row by row. Colours are still encoded as in the file.
     pub values: Vec<f32>,
@@ -22,11 +22,11 @@ pub struct Texels {
 ///
 /// # Errors
 /// [`RenderError::Texture`] where the file is missing, broken, or of another size.
-pub fn decode(path: &Path, size: (u32, u32), encoding: Encoding) -> Result<Texels> {
-    try_decode(path, size, encoding).map_err(|reason| RenderError::Texture { path: path.to_owned(), reason })
+pub fn decode(path: &Path, size: (u32, u32), format: Format) -> Result<Texels> {
+    try_decode(path, size, format).map_err(|reason| RenderError::Texture { path: path.to_owned(), reason })
 }
 
-fn try_decode(path: &Path, size: (u32, u32), encoding: Encoding) -> std::result::Result<Texels, String> {
+fn try_decode(path: &Path, size: (u32, u32), format: Format) -> std::result::Result<Texels, String> {
     let file = File::open(path).map_err(|error| error.to_string())?;
     let mut decoder = png::Decoder::new(BufReader::new(file));
     decoder.set_transformations(png::Transformations::EXPAND);
@@ -46,7 +46,7 @@ fn try_decode(path: &Path, size: (u32, u32), encoding: Encoding) -> std::result:
             .collect::<Vec<_>>(),
         _ => bytes[..frame.buffer_size()].iter().map(|&byte| f32::from(byte) / 255.0).collect(),
     };
-    let channels = if encoding == Encoding::Linear16 { 1 } else { 4 };
+    let channels = channels(format);
     Ok(Texels { size, channels, values: spread(&values, frame.color_type.samples(), channels) })
 }
 

@@ -1,24 +1,24 @@
 //! Smaller copies of a texture, so that what is far away neither flickers nor costs memory traffic.
 
-use super::Encoding;
+use super::Format;
 use super::decode::Texels;
 
 /// The bytes of every level as the device takes them, the given one first, down to 1 × 1.
 ///
 /// Each level is the area-weighted mean of the one above, in linear light for colours. Level 0 is the file's own values.
 #[must_use]
-pub fn mip_chain(texels: &Texels, encoding: Encoding) -> Vec<Vec<u8>> {
-    let mut levels = vec![encode(&texels.values, encoding, false)];
+pub fn mip_chain(texels: &Texels, format: Format) -> Vec<Vec<u8>> {
+    let mut levels = vec![encode(&texels.values, format, false)];
     let mut size = texels.size;
-    let mut linear = match encoding {
-        Encoding::Srgb8 => texels.values.chunks_exact(4).flat_map(to_linear).collect(),
-        Encoding::Linear8 | Encoding::Linear16 => texels.values.clone(),
+    let mut linear = match format {
+        Format::Rgba8UnormSrgb => texels.values.chunks_exact(4).flat_map(to_linear).collect(),
+        _ => texels.values.clone(),
     };
     while size != (1, 1) {
         let smaller = ((size.0 / 2).max(1), (size.1 / 2).max(1));
         linear = shrink(&linear, texels.channels, size, smaller);
         size = smaller;
-        levels.push(encode(&linear, encoding, true));
+        levels.push(encode(&linear, format, true));
     }
     levels
 }
@@ -38,15 +38,19 @@ fn linear_to_srgb(value: f32) -> f32 {
 }
 
 /// `linear`: whether colours are linear and have to be encoded.
-fn encode(values: &[f32], encoding: Encoding, linear: bool) -> Vec<u8> {
+fn encode(values: &[f32], format: Format, linear: bool) -> Vec<u8> {
     let byte = |value: f32| (value * 255.0 + 0.5) as u8;
-    match encoding {
-        Encoding::Linear16 => values.iter().flat_map(|&value| half::f16::from_f32(value).to_le_bytes()).collect(),
-        Encoding::Srgb8 if linear => values
+    match format {
+        Format::R16Float | Format::Rgba16Float => {
+            values.iter().flat_map(|&value| half::f16::from_f32(value).to_le_bytes()).collect()
+        }
+        Format::Rgba8UnormSrgb if linear => values
             .chunks_exact(4)
             .flat_map(|t| [linear_to_srgb(t[0]), linear_to_srgb(t[1]), linear_to_srgb(t[2]), t[3]].map(byte))
             .collect(),
-        Encoding::Srgb8 | Encoding::Linear8 => values.iter().map(|&value| byte(value)).collect(),
+        Format::Rgba8UnormSrgb | Format::Rgba8Unorm | Format::R8Unorm => {
+            values.iter().map(|&value| byte(value)).collect()
+        }
     }
 }
 

@@ -11,26 +11,31 @@ pub(super) use upload::MaterialGroup;
 use std::path::PathBuf;
 
 pub use terrane_codegen::graph::model::{Filter, Wrap};
+pub use terrane_codegen::program::Format;
 
-/// How texels are stored and decoded.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Encoding {
-    /// Four channels of 8 bits; colours in sRGB.
-    Srgb8,
-    /// Four channels of 8 bits, data.
-    Linear8,
-    /// One channel of 16 bits, data; half floats on the device.
-    Linear16,
+/// The device's name of a format.
+fn texture_format(format: Format) -> wgpu::TextureFormat {
+    match format {
+        Format::Rgba8UnormSrgb => wgpu::TextureFormat::Rgba8UnormSrgb,
+        Format::Rgba8Unorm => wgpu::TextureFormat::Rgba8Unorm,
+        Format::R8Unorm => wgpu::TextureFormat::R8Unorm,
+        Format::R16Float => wgpu::TextureFormat::R16Float,
+        Format::Rgba16Float => wgpu::TextureFormat::Rgba16Float,
+    }
 }
 
-impl Encoding {
-    pub(super) fn format(self) -> wgpu::TextureFormat {
-        match self {
-            Self::Srgb8 => wgpu::TextureFormat::Rgba8UnormSrgb,
-            Self::Linear8 => wgpu::TextureFormat::Rgba8Unorm,
-            Self::Linear16 => wgpu::TextureFormat::R16Float,
-        }
+/// Numbers in a texel.
+fn channels(format: Format) -> usize {
+    match format {
+        Format::R8Unorm | Format::R16Float => 1,
+        Format::Rgba8UnormSrgb | Format::Rgba8Unorm | Format::Rgba16Float => 4,
     }
+}
+
+/// Bytes of a texel on the device.
+fn texel_bytes(format: Format) -> u32 {
+    let number = if matches!(format, Format::R16Float | Format::Rgba16Float) { 2 } else { 1 };
+    channels(format) as u32 * number
 }
 
 /// Files of one size that lie in one array.
@@ -41,7 +46,7 @@ pub struct TextureArray {
     /// Width and height of every layer.
     pub size: (u32, u32),
     /// How to read the files.
-    pub encoding: Encoding,
+    pub format: Format,
     /// PNG files, layer by layer.
     pub layers: Vec<PathBuf>,
 }

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::{Encoding, Filter, Material, Sampling, TextureArray, Wrap, decode, mip_chain};
+use super::{Filter, Material, Sampling, TextureArray, Wrap, decode, mip_chain, texel_bytes, texture_format};
 use crate::render::error::Result;
 use crate::render::gpu::Gpu;
 use crate::render::progress::{Phase, Progress};
@@ -35,7 +35,7 @@ fn upload(gpu: &Gpu, array: &TextureArray, phase: &Phase) -> Result<wgpu::Textur
             mip_level_count: size.max_mips(wgpu::TextureDimension::D2),
             sample_count: 1,
             dimension: wgpu::TextureDimension::D2,
-            format: array.encoding.format(),
+            format: texture_format(array.format),
             usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
             view_formats: &[],
         })
@@ -45,8 +45,8 @@ fn upload(gpu: &Gpu, array: &TextureArray, phase: &Phase) -> Result<wgpu::Textur
         let chains: Vec<Vec<Vec<u8>>> = paths
             .par_iter()
             .map(|path| {
-                let texels = decode(path, array.size, array.encoding)?;
-                let chain = mip_chain(&texels, array.encoding);
+                let texels = decode(path, array.size, array.format)?;
+                let chain = mip_chain(&texels, array.format);
                 phase.advance(1);
                 Ok(chain)
             })
@@ -60,7 +60,7 @@ fn upload(gpu: &Gpu, array: &TextureArray, phase: &Phase) -> Result<wgpu::Textur
 }
 
 fn write_layer(gpu: &Gpu, texture: &wgpu::Texture, array: &TextureArray, layer: u32, chain: &[Vec<u8>]) {
-    let texel = if array.encoding == Encoding::Linear16 { 2 } else { 4 };
+    let texel = texel_bytes(array.format);
     for (level, bytes) in chain.iter().enumerate() {
         let (width, height) = ((array.size.0 >> level).max(1), (array.size.1 >> level).max(1));
         gpu.queue.write_texture(

@@ -64,7 +64,7 @@ pub(crate) struct Document {
 
 /// What a file is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum FileRole {
+pub enum FileRole {
     /// `Surface(…)`
     Surface,
     /// `Instance(…)`

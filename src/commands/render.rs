@@ -1,0 +1,91 @@
+//! `terrane render`: a picture of a scene.
+
+use std::path::PathBuf;
+
+use terrane::render::{Gpu, Progress, RenderError, Selection, render_scene};
+use terrane::scene::{self, Quality};
+
+use super::{Failure, project};
+
+/// Draw a scene, without a window, on any Vulkan, Metal or DirectX 12 device
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  terrane render graphs/scenes/alpine.ron -o alpine.png
+  terrane render graphs/scenes/alpine.ron -o small.png --size 320x180 --samples 1
+  terrane render --adapters")]
+pub(crate) struct Render {
+    /// A scene
+    #[arg(value_name = "SCENE", required_unless_present = "adapters")]
+    scene: Option<PathBuf>,
+    /// The PNG to write
+    #[arg(short, long, value_name = "PNG", default_value = "terrane.png")]
+    output: PathBuf,
+    /// Pixels, instead of the scene's own
+    #[arg(long, value_name = "WxH", value_parser = size)]
+    size: Option<[u32; 2]>,
+    /// Samples of a pixel on a side
+    #[arg(long, default_value_t = 2, value_parser = clap::value_parser!(u32).range(1..=4))]
+    samples: u32,
+    /// The device to draw on: its number, or a part of its name
+    #[arg(long, value_name = "NAME")]
+    adapter: Option<String>,
+    /// List the devices and stop
+    #[arg(long)]
+    adapters: bool,
+}
+
+fn size(text: &str) -> Result<[u32; 2], String> {
+    let (width, height) = text.split_once('x').ok_or("write width x height, as in 1280x720")?;
+    let side = |text: &str| text.parse().ok().filter(|side| (1..=8192).contains(side));
+    match (side(width), side(height)) {
+        (Some(width), Some(height)) => Ok([width, height]),
+        _ => Err("each side is 1 to 8192 pixels".into()),
+    }
+}
+
+impl Render {
+    pub(crate) fn run(self) -> Result<(), Failure> {
+        let Some(file) = self.scene.as_ref().filter(|_| !self.adapters) else { return list() };
+        let mut project = project::open(file)?;
+        let path = project::relative(&mut project, file)?;
+        let (graphs, scene, warnings) =
+            project.scene(&path).map_err(|found| project::findings(&found, &project.sources))?;
+        project::warn(&warnings, &project.sources);
+        let compiled = project::compiler(&project)
+            .terrain(&graphs, &scene.terrain)
+            .map_err(|found| project::findings(&found, &project.sources))?;
+        // Before the textures are made: whoever lacks a driver need not wait to hear of it.
+        let gpu = open(self.adapter.as_deref())?;
+        scene::make(&project, &scene::files(&compiled)).map_err(|error| Failure::Machine(error.to_string()))?;
+        let material = scene::material(&compiled, project.root());
+        let field = scene::height_field(&scene.terrain, project.root()).map_err(failure)?;
+        let image = self.size.unwrap_or([scene.image.0, scene.image.1]);
+        let quality = Quality { image, supersampling: self.samples, tolerance: 1.0 };
+        let scene = scene::render_scene(&scene, &compiled, &material, &field, quality);
+        let picture = render_scene(&gpu, &scene, Progress::Stderr).map_err(failure)?;
+        picture.write_png(&self.output).map_err(failure)?;
+        println!("{}", self.output.display());
+        Ok(())
+    }
+}
+
+fn open(adapter: Option<&str>) -> Result<Gpu, Failure> {
+    let selection = adapter.map_or(Selection::Best, Selection::parse);
+    let gpu = Gpu::new(&selection).map_err(failure)?;
+    eprintln!("drawing on {}", gpu.name());
+    Ok(gpu)
+}
+
+fn list() -> Result<(), Failure> {
+    for (index, name) in Gpu::list().iter().enumerate() {
+        println!("{index}  {name}");
+    }
+    Ok(())
+}
+
+fn failure(error: RenderError) -> Failure {
+    match error {
+        RenderError::UnknownAdapter { .. } => Failure::Usage(error.to_string()),
+        other => Failure::Machine(other.to_string()),
+    }
+}

@@ -1,0 +1,121 @@
+//! From a project's graphs to what the renderer draws and the makers make.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+use terrane_codegen::compile::Compiled;
+use terrane_codegen::graph::Project;
+use terrane_codegen::graph::model::{Scene, Shadow, Terrain};
+use terrane_codegen::manifest::UniformInfo;
+
+use crate::content::{self, Job, Recipe};
+use crate::render::material::{Format, Material, Sampling, TextureArray, decode};
+use crate::render::{Camera, HeightField, RenderError, RenderScene};
+
+/// Every file of the project that a shader and its terrain read, project-relative.
+pub fn files(compiled: &Compiled) -> BTreeSet<String> {
+    let layers = compiled.manifest.textures.iter().flat_map(|texture| texture.layers.iter().cloned());
+    layers.chain(compiled.manifest.terrain.iter().map(|terrain| terrain.height_map.clone())).collect()
+}
+
+/// Makes those of the files that `terrane.ron` has a recipe for, where they are missing or the recipe has changed.
+///
+/// # Errors
+/// If a file cannot be written.
+pub fn make(project: &Project, files: &BTreeSet<String>) -> Result<Vec<PathBuf>, content::Error> {
+    let wanted = project.made.iter().filter(|made| made.files.iter().any(|(file, _)| files.contains(file)));
+    let jobs: Vec<Job> = wanted
+        .map(|made| {
+            let args = made.arguments.iter().map(|(name, value)| ((*name).to_owned(), *value)).collect();
+            Job { key: made.path.clone(), recipe: Recipe { name: made.recipe.name.into(), args } }
+        })
+        .collect();
+    content::make(&jobs, project.root())
+}
+
+/// What group 1 reads, as the manifest lists it; parameters have their defaults.
+pub fn material(compiled: &Compiled, root: &Path) -> Material {
+    let program = &compiled.program;
+    let manifest = &compiled.manifest;
+    let arrays = manifest.textures.iter().zip(&program.arrays).map(|(info, array)| TextureArray {
+        binding: info.binding,
+        size: array.size,
+        format: array.format,
+        layers: array.files.iter().map(|file| root.join(file)).collect(),
+    });
+    let samplers = manifest.samplers.iter().zip(&program.samplers).map(|(info, key)| Sampling {
+        binding: info.binding,
+        wrap: key.wrap,
+        filter: key.filter,
+        anisotropy: key.anisotropy,
+    });
+    Material {
+        parameters: manifest.parameters.as_ref().map(|block| (block.binding, defaults(block))),
+        arrays: arrays.collect(),
+        samplers: samplers.collect(),
+    }
+}
+
+/// The uniform block with every parameter at its default.
+fn defaults(block: &UniformInfo) -> Vec<u8> {
+    let mut bytes = vec![0; block.size as usize];
+    for member in &block.members {
+        for (index, value) in member.default.iter().enumerate() {
+            let at = member.offset as usize + 4 * index;
+            bytes[at..at + 4].copy_from_slice(&value.to_le_bytes());
+        }
+    }
+    bytes
+}
+
+/// The terrain's shape in metres.
+///
+/// # Errors
+/// If the height map cannot be read or is not what the terrain says.
+pub fn height_field(terrain: &Terrain, root: &Path) -> Result<HeightField, RenderError> {
+    let map = &terrain.height;
+    let texels = decode(&root.join(&map.file), map.texels, Format::R16Float)?;
+    let (low, high) = map.range;
+    let metres = texels.values.iter().map(|value| low + value * (high - low)).collect();
+    let spacing = [map.size.0 / map.texels.0 as f32, map.size.1 / map.texels.1 as f32];
+    HeightField::new([map.texels.0, map.texels.1], spacing.map(f64::from), metres)
+}
+
+/// How fine a picture is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Quality {
+    /// Width and height in pixels.
+    pub image: [u32; 2],
+    /// Samples of a pixel on a side.
+    pub supersampling: u32,
+    /// Pixels by which simplified terrain may be off.
+    pub tolerance: f64,
+}
+
+/// What the renderer is to draw.
+pub fn render_scene<'a>(
+    scene: &Scene,
+    compiled: &'a Compiled,
+    material: &'a Material,
+    field: &'a HeightField,
+    quality: Quality,
+) -> RenderScene<'a> {
+    RenderScene {
+        shader: &compiled.host.text,
+        material,
+        field,
+        shadow: scene.terrain.shadow == Shadow::Horizon,
+        occlusion: scene.terrain.occlusion,
+        camera: Camera {
+            eye: scene.camera.eye.map(f64::from),
+            target: scene.camera.target.map(f64::from),
+            fov: scene.camera.fov.into(),
+        },
+        sun: [scene.sun.azimuth.into(), scene.sun.elevation.into()],
+        turbidity: scene.turbidity.into(),
+        exposure: scene.exposure.into(),
+        image: quality.image,
+        supersampling: quality.supersampling,
+        tolerance: quality.tolerance,
+    }
+}
