@@ -19,50 +19,41 @@ pub mod recipe;
 pub mod store;
 pub mod terrain;
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
+use terrane_codegen::graph::{Made, Project};
 
 pub use error::Error;
-pub use recipe::Recipe;
-use recipe::{Arguments, Maker};
+use recipe::{Arguments, Maker, maker};
 
-/// One entry of a project's `made`.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Job {
-    /// Beginning of the file names, relative to the project root: `textures/granite`.
-    pub key: String,
-    /// What to make.
-    pub recipe: Recipe,
-}
-
-/// A job whose recipe is known and whose arguments are complete.
-struct Order<'a> {
-    job: &'a Job,
-    maker: &'static Maker,
-    arguments: Arguments,
-}
-
-/// Makes what is missing under `root`, or was made by another recipe. Returns the files that it wrote. Progress goes to
-/// stderr if that is a terminal.
+/// Makes those of the project's recipes that give one of `files` (project-relative paths), where a file is missing or
+/// was made by another recipe. Returns the files that it wrote. Progress goes to stderr if that is a terminal.
 ///
 /// # Errors
-/// If a recipe or an argument is unknown or out of range: then nothing is made. If a file cannot be written: then it is
-/// as it was before.
-pub fn make(jobs: &[Job], root: &Path) -> Result<Vec<PathBuf>, Error> {
-    let orders = jobs.iter().map(Order::new).collect::<Result<Vec<_>, _>>()?;
-    let due: Vec<_> = orders.iter().filter(|order| !order.is_done(root)).collect();
+/// If a file cannot be written: then it is as it was before.
+pub fn make(project: &Project, files: &BTreeSet<String>) -> Result<Vec<PathBuf>, Error> {
+    let wanted = |made: &&Made| made.files.iter().any(|(file, _)| files.contains(file));
+    let made: Vec<&Made> = project.made.iter().filter(wanted).collect();
+    make_under(project.root(), &made)
+}
+
+/// Like [`make`], for given recipes and a given folder.
+///
+/// # Errors
+/// Those of [`make`].
+pub fn make_under(root: &Path, made: &[&Made]) -> Result<Vec<PathBuf>, Error> {
+    let due: Vec<Order> = made.iter().map(|made| Order::new(made, root)).filter(|order| !order.is_done()).collect();
     let bar = bar(due.len());
-    let written = due
-        .par_iter()
-        .map(|order| {
-            bar.set_message(order.job.key.clone());
-            let files = order.fill(root);
-            bar.inc(1);
-            files
-        })
-        .collect::<Result<Vec<_>, _>>();
+    let written = due.par_iter().map(|order| {
+        bar.set_message(order.made.path.clone());
+        let files = order.fill();
+        bar.inc(1);
+        files
+    });
+    let written = written.collect::<Result<Vec<_>, _>>();
     bar.finish_and_clear();
     Ok(written?.concat())
 }
@@ -78,12 +69,17 @@ fn bar(count: usize) -> ProgressBar {
     bar
 }
 
+/// One recipe to be made in one place.
+struct Order<'a> {
+    made: &'a Made,
+    maker: &'static Maker,
+    arguments: Arguments,
+    root: &'a Path,
+}
+
 impl<'a> Order<'a> {
-    fn new(job: &'a Job) -> Result<Self, Error> {
-        let unknown = || Error::UnknownRecipe { key: job.key.clone(), name: job.recipe.name.clone() };
-        let maker = recipe::find(&job.recipe.name).ok_or_else(unknown)?;
-        let arguments = Arguments::complete(&job.key, maker, &job.recipe.args)?;
-        Ok(Self { job, maker, arguments })
+    fn new(made: &'a Made, root: &'a Path) -> Self {
+        Self { made, maker: maker(made.recipe.name), arguments: Arguments::of(made), root }
     }
 
     /// What the files are marked with.
@@ -91,21 +87,18 @@ impl<'a> Order<'a> {
         format!("{}({}) revision {}", self.maker.name, self.arguments.text(), self.maker.revision)
     }
 
-    fn path(&self, root: &Path, suffix: &str) -> PathBuf {
-        root.join(format!("{}{suffix}.png", self.job.key))
+    fn is_done(&self) -> bool {
+        let mark = self.mark();
+        self.made.files.iter().all(|(file, _)| store::is_current(&self.root.join(file), &mark))
     }
 
-    fn is_done(&self, root: &Path) -> bool {
+    fn fill(&self) -> Result<Vec<PathBuf>, Error> {
         let mark = self.mark();
-        self.maker.suffixes.iter().all(|suffix| store::is_current(&self.path(root, suffix), &mark))
-    }
-
-    fn fill(&self, root: &Path) -> Result<Vec<PathBuf>, Error> {
-        let mark = self.mark();
-        let write = |map: &map::Map| {
-            let path = self.path(root, map.suffix);
+        let maps = (self.maker.make)(&self.arguments);
+        let write = |((file, _), map): (&(String, _), &map::Map)| {
+            let path = self.root.join(file);
             store::write(&path, map, &mark).map(|()| path)
         };
-        (self.maker.make)(&self.arguments).iter().map(write).collect()
+        self.made.files.iter().zip(&maps).map(write).collect()
     }
 }

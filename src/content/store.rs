@@ -27,7 +27,7 @@ fn read_recipe(path: &Path) -> Option<String> {
 /// # Errors
 /// If the folder cannot be made or the file not be written.
 pub fn write(path: &Path, map: &Map, recipe: &str) -> Result<(), Error> {
-    let failed = |source: std::io::Error| Error::Write { path: path.to_path_buf(), source };
+    let failed = |source: std::io::Error| Error { path: path.to_path_buf(), source };
     let folder = path.parent().unwrap_or(Path::new("."));
     std::fs::create_dir_all(folder).map_err(failed)?;
     let mut file = temporary(folder).map_err(failed)?;
@@ -58,11 +58,11 @@ pub fn encode(out: impl Write, map: &Map, recipe: &str) -> Result<(), png::Encod
     let (color, depth) = match map.texels {
         Texels::Grey16(_) => (png::ColorType::Grayscale, png::BitDepth::Sixteen),
         Texels::Grey8(_) => (png::ColorType::Grayscale, png::BitDepth::Eight),
-        Texels::Rgb8(_) => (png::ColorType::Rgb, png::BitDepth::Eight),
+        Texels::Srgb8(_) | Texels::Rgb8(_) => (png::ColorType::Rgb, png::BitDepth::Eight),
     };
     encoder.set_color(color);
     encoder.set_depth(depth);
-    if color == png::ColorType::Rgb {
+    if matches!(map.texels, Texels::Srgb8(_)) {
         encoder.set_source_srgb(png::SrgbRenderingIntent::Perceptual);
     }
     encoder.add_text_chunk(KEYWORD.into(), recipe.into())?;
@@ -72,7 +72,7 @@ pub fn encode(out: impl Write, map: &Map, recipe: &str) -> Result<(), png::Encod
             let bytes: Vec<u8> = texels.iter().flat_map(|texel| texel.to_be_bytes()).collect();
             writer.write_image_data(&bytes)?;
         }
-        Texels::Grey8(bytes) | Texels::Rgb8(bytes) => writer.write_image_data(bytes)?,
+        Texels::Grey8(bytes) | Texels::Srgb8(bytes) | Texels::Rgb8(bytes) => writer.write_image_data(bytes)?,
     }
     writer.finish()
 }

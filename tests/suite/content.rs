@@ -3,44 +3,47 @@
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use terrane::content::map::{Map, Texels};
-use terrane::content::recipe::{Arguments, MAKERS, Maker, Recipe};
-use terrane::content::{Error, Job, color, make};
+use terrane::content::recipe::{Arguments, MAKERS, maker};
+use terrane::content::{color, make_under};
+use terrane_codegen::diagnostic::{SourceId, Span};
+use terrane_codegen::graph::Made;
+use terrane_codegen::graph::recipe::{Makes, RECIPES, Recipe, recipe};
 
 /// Small enough to be quick, large enough for statistics.
 const SIZE: usize = 128;
 
-fn maps(maker: &'static Maker, size: usize, seed: u32) -> Vec<Map> {
-    let given = BTreeMap::from([("size".to_owned(), size as f64), ("seed".to_owned(), f64::from(seed))]);
-    (maker.make)(&Arguments::complete("test", maker, &given).expect("size and seed are arguments of every recipe"))
+fn made(path: &str, recipe: &'static Recipe, size: usize, seed: u32) -> Made {
+    let mut arguments: BTreeMap<_, _> = recipe.arguments.iter().map(|a| (a.name, a.default)).collect();
+    arguments.extend([("size", size as f64), ("seed", f64::from(seed))]);
+    let files = recipe.makes.files(path, size as u32);
+    let span = Span { source: SourceId(0), start: 0, end: 0 };
+    Made { path: path.into(), recipe, arguments, files, span }
 }
 
-fn materials() -> impl Iterator<Item = &'static Maker> {
-    MAKERS.iter().filter(|maker| maker.suffixes.contains(&"_albedo"))
+fn maps(recipe: &'static Recipe, size: usize, seed: u32) -> Vec<Map> {
+    (maker(recipe.name).make)(&Arguments::of(&made("test", recipe, size, seed)))
+}
+
+fn materials() -> impl Iterator<Item = &'static Recipe> {
+    RECIPES.iter().filter(|recipe| recipe.makes == Makes::Material)
+}
+
+fn lands() -> impl Iterator<Item = &'static Recipe> {
+    RECIPES.iter().filter(|recipe| recipe.makes == Makes::HeightMap)
 }
 
 fn height(maps: &[Map]) -> Vec<f32> {
-    match &maps[0].texels {
-        Texels::Grey16(texels) => texels.iter().map(|&texel| f32::from(texel) / 65_535.0).collect(),
-        Texels::Grey8(_) | Texels::Rgb8(_) => panic!("heights have 16 bits"),
-    }
+    let Texels::Grey16(texels) = &maps[0].texels else { panic!("heights have 16 bits") };
+    texels.iter().map(|&texel| f32::from(texel) / 65_535.0).collect()
 }
 
 /// Linear red, green and blue.
 fn albedo(maps: &[Map]) -> Vec<[f32; 3]> {
-    match &maps[1].texels {
-        Texels::Rgb8(bytes) => {
-            bytes.as_chunks::<3>().0.iter().map(|&texel| texel.map(|x| color::decode(f32::from(x) / 255.0))).collect()
-        }
-        Texels::Grey8(_) | Texels::Grey16(_) => panic!("albedo has colours"),
-    }
-}
-
-fn job(key: &str, name: &str, size: usize, seed: u32) -> Job {
-    let args = BTreeMap::from([("size".to_owned(), size as f64), ("seed".to_owned(), f64::from(seed))]);
-    Job { key: key.into(), recipe: Recipe { name: name.into(), args } }
+    let Texels::Srgb8(bytes) = &maps[1].texels else { panic!("albedo has colours") };
+    bytes.as_chunks::<3>().0.iter().map(|&texel| texel.map(|x| color::decode(f32::from(x) / 255.0))).collect()
 }
 
 /// FNV-1a over the texels.
@@ -50,7 +53,7 @@ fn digest(maps: &[Map]) -> u64 {
     for map in maps {
         match &map.texels {
             Texels::Grey16(texels) => texels.iter().flat_map(|texel| texel.to_be_bytes()).for_each(&mut take),
-            Texels::Grey8(bytes) | Texels::Rgb8(bytes) => bytes.iter().copied().for_each(&mut take),
+            Texels::Grey8(bytes) | Texels::Srgb8(bytes) | Texels::Rgb8(bytes) => bytes.iter().copied().for_each(&mut take),
         }
     }
     hash
@@ -60,7 +63,7 @@ fn digest(maps: &[Map]) -> u64 {
 fn bytes_do_not_depend_on_the_number_of_threads() {
     let digests = |threads: usize| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("a pool of threads");
-        pool.install(|| MAKERS.iter().map(|maker| digest(&maps(maker, 64, 5))).collect::<Vec<_>>())
+        pool.install(|| RECIPES.iter().map(|recipe| digest(&maps(recipe, 64, 5))).collect::<Vec<_>>())
     };
     assert_eq!(digests(1), digests(3));
 }
@@ -70,9 +73,9 @@ fn bytes_do_not_depend_on_the_number_of_threads() {
 #[test]
 fn a_recipe_changes_only_with_its_revision() {
     let mut table = String::new();
-    for maker in MAKERS {
-        let digest = digest(&maps(maker, 64, 1));
-        writeln!(table, "{} {} {digest:016x}", maker.name, maker.revision).expect("strings take all text");
+    for recipe in RECIPES {
+        let digest = digest(&maps(recipe, 64, 1));
+        writeln!(table, "{} {} {digest:016x}", recipe.name, maker(recipe.name).revision).expect("strings take all text");
     }
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/suite/content.digests");
     if std::env::var_os("BLESS").is_some() {
@@ -84,18 +87,27 @@ fn a_recipe_changes_only_with_its_revision() {
 
 #[test]
 fn seeds_give_different_images() {
-    for maker in MAKERS {
-        assert_ne!(digest(&maps(maker, 64, 1)), digest(&maps(maker, 64, 2)), "{}", maker.name);
+    for recipe in RECIPES {
+        assert_ne!(digest(&maps(recipe, 64, 1)), digest(&maps(recipe, 64, 2)), "{}", recipe.name);
     }
 }
 
 #[test]
-fn every_recipe_gives_the_maps_that_it_names() {
-    for maker in MAKERS {
-        let maps = maps(maker, 64, 3);
-        let suffixes: Vec<_> = maps.iter().map(|map| map.suffix).collect();
-        assert_eq!(suffixes, maker.suffixes, "{}", maker.name);
-        assert!(maps.iter().all(|map| map.size == 64), "{}", maker.name);
+fn every_recipe_has_a_maker_that_keeps_its_promise() {
+    assert!(RECIPES.iter().map(|recipe| recipe.name).eq(MAKERS.iter().map(|maker| maker.name)));
+    for recipe in RECIPES {
+        let promised = recipe.makes.files("test", 64);
+        let maps = maps(recipe, 64, 3);
+        assert_eq!(maps.len(), promised.len(), "{}", recipe.name);
+        for ((file, header), map) in promised.iter().zip(&maps) {
+            let (channels, depth, texels) = match &map.texels {
+                Texels::Grey16(texels) => (1, 16, texels.len()),
+                Texels::Grey8(bytes) => (1, 8, bytes.len()),
+                Texels::Srgb8(bytes) | Texels::Rgb8(bytes) => (3, 8, bytes.len() / 3),
+            };
+            assert_eq!((header.channels, header.depth), (channels, depth), "{}: {file}", recipe.name);
+            assert_eq!((map.size, texels), (64, 64 * 64), "{}: {file}", recipe.name);
+        }
     }
 }
 
@@ -119,11 +131,11 @@ fn seamless(values: &[f32], what: &str) {
 
 #[test]
 fn materials_tile() {
-    for maker in materials() {
-        let maps = maps(maker, SIZE, 1);
-        seamless(&height(&maps), maker.name);
+    for recipe in materials() {
+        let maps = maps(recipe, SIZE, 1);
+        seamless(&height(&maps), recipe.name);
         let light: Vec<f32> = albedo(&maps).into_iter().map(color::luminance).collect();
-        seamless(&light, maker.name);
+        seamless(&light, recipe.name);
     }
 }
 
@@ -135,14 +147,14 @@ fn a_seam_is_found() {
 
 #[test]
 fn heights_use_their_range() {
-    for maker in materials() {
-        let mut height = height(&maps(maker, SIZE, 1));
+    for recipe in materials() {
+        let mut height = height(&maps(recipe, SIZE, 1));
         height.sort_by(f32::total_cmp);
         let at = |part: f32| height[((height.len() - 1) as f32 * part) as usize];
-        assert!(at(0.0) < 0.001 && at(1.0) > 0.999, "{}", maker.name);
-        assert!(at(0.95) - at(0.05) > 0.25, "{}: most heights lie within {}..{}", maker.name, at(0.05), at(0.95));
+        assert!(at(0.0) < 0.001 && at(1.0) > 0.999, "{}", recipe.name);
+        assert!(at(0.95) - at(0.05) > 0.25, "{}: most heights lie within {}..{}", recipe.name, at(0.05), at(0.95));
         height.dedup();
-        assert!(height.len() > SIZE * SIZE / 4, "{}: only {} different heights", maker.name, height.len());
+        assert!(height.len() > SIZE * SIZE / 4, "{}: only {} different heights", recipe.name, height.len());
     }
 }
 
@@ -162,90 +174,93 @@ fn albedo_is_believable() {
         ("snow", (0.78, 0.92)),
         ("soil", (0.08, 0.2)),
     ]);
-    assert!(materials().all(|maker| ranges.contains_key(maker.name)));
-    for maker in materials() {
-        let (low, high) = ranges[maker.name];
-        let light: Vec<f32> = albedo(&maps(maker, SIZE, 1)).into_iter().map(color::luminance).collect();
+    assert!(materials().all(|recipe| ranges.contains_key(recipe.name)));
+    for recipe in materials() {
+        let (low, high) = ranges[recipe.name];
+        let light: Vec<f32> = albedo(&maps(recipe, SIZE, 1)).into_iter().map(color::luminance).collect();
         let mean = light.iter().sum::<f32>() / light.len() as f32;
-        assert!((low..=high).contains(&mean), "{}: {mean} is not within {low}..{high}", maker.name);
+        assert!((low..=high).contains(&mean), "{}: {mean} is not within {low}..{high}", recipe.name);
         let most = light.iter().copied().fold(0.0, f32::max);
-        assert!(most < 0.95, "{}: {most} is brighter than fresh snow", maker.name);
+        assert!(most < 0.95, "{}: {most} is brighter than fresh snow", recipe.name);
     }
 }
 
 #[test]
 fn land_uses_its_range_and_has_rivers() {
-    for maker in MAKERS.iter().filter(|maker| maker.suffixes.contains(&"_flow")) {
-        let maps = maps(maker, SIZE, 1);
+    for recipe in lands() {
+        let maps = maps(recipe, SIZE, 1);
         let height = height(&maps);
         let cut = height.iter().filter(|&&height| height >= 1.0).count();
-        assert!(cut * 1000 < height.len(), "{}: {cut} summits are cut off", maker.name);
-        assert!(height.iter().any(|&height| height > 0.5), "{}", maker.name);
+        assert!(cut * 1000 < height.len(), "{}: {cut} summits are cut off", recipe.name);
+        assert!(height.iter().any(|&height| height > 0.5), "{}", recipe.name);
         let Texels::Grey8(flow) = &maps[1].texels else { panic!("flow has 8 bits") };
         let rivers = flow.iter().filter(|&&flow| flow > 180).count() as f32 / flow.len() as f32;
-        assert!((0.001..0.2).contains(&rivers), "{}: rivers cover {rivers}", maker.name);
+        assert!((0.001..0.2).contains(&rivers), "{}: rivers cover {rivers}", recipe.name);
     }
+}
+
+#[test]
+fn normals_are_those_of_the_heights() {
+    for recipe in materials() {
+        let maps = maps(recipe, SIZE, 1);
+        let Texels::Rgb8(bytes) = &maps[2].texels else { panic!("normals have three numbers") };
+        let height = height(&maps);
+        let at = |x: usize, y: usize| height[y % SIZE * SIZE + x % SIZE];
+        let depth = Arguments::of(&made("test", recipe, SIZE, 1)).get("depth") * SIZE as f32;
+        for (index, normal) in bytes.as_chunks::<3>().0.iter().enumerate() {
+            let (x, y) = (index % SIZE + SIZE, index / SIZE + SIZE);
+            let (du, dv) = (0.5 * depth * (at(x + 1, y) - at(x - 1, y)), 0.5 * depth * (at(x, y + 1) - at(x, y - 1)));
+            let [east, south, up] = normal.map(|x| f32::from(x) / 127.5 - 1.0);
+            assert!((east * east + south * south + up * up - 1.0).abs() < 0.03, "{}", recipe.name);
+            let off = (east + du * up).abs().max((south + dv * up).abs());
+            assert!(off < 0.02, "{} at {index}: {normal:?}, the slopes are {du} and {dv}", recipe.name);
+        }
+    }
+}
+
+fn sand_and_snow(seed: u32) -> [Made; 2] {
+    let of = |name| recipe(name).expect("a recipe of the table");
+    [made("textures/sand", of("ripples"), 32, seed), made("textures/snow", of("snow"), 32, 1)]
+}
+
+fn names(paths: &[PathBuf]) -> Vec<String> {
+    paths.iter().map(|path| path.file_name().unwrap_or_default().to_string_lossy().into_owned()).collect()
 }
 
 #[test]
 fn files_are_made_once_and_again_when_the_recipe_changes() {
     let root = tempfile::tempdir().expect("a temporary folder");
-    let jobs = [job("textures/sand", "ripples", 32, 1), job("textures/snow", "snow", 32, 1)];
-    let first = make(&jobs, root.path()).expect("all can be made");
-    assert_eq!(first.len(), 4);
+    let make = |all: &[Made; 2]| make_under(root.path(), &[&all[0], &all[1]]).expect("all can be made");
+    let first = make(&sand_and_snow(1));
+    assert_eq!(first.len(), 6);
     assert!(first.iter().all(|path| path.is_file()));
-    assert!(make(&jobs, root.path()).expect("nothing is left to do").is_empty());
-
-    let changed = [job("textures/sand", "ripples", 32, 2), jobs[1].clone()];
-    let names = |paths: Vec<std::path::PathBuf>| {
-        paths.iter().map(|path| path.file_name().unwrap_or_default().to_string_lossy().into_owned()).collect::<Vec<_>>()
-    };
-    let second = names(make(&changed, root.path()).expect("one can be made again"));
-    assert_eq!(second, ["sand_height.png", "sand_albedo.png"]);
-
+    assert_eq!(make(&sand_and_snow(1)), Vec::<PathBuf>::new());
+    assert_eq!(names(&make(&sand_and_snow(2))), ["sand_height.png", "sand_albedo.png", "sand_normal.png"]);
     std::fs::remove_file(root.path().join("textures/snow_albedo.png")).expect("it is there");
-    assert_eq!(names(make(&changed, root.path()).expect("the rest is made")), ["snow_height.png", "snow_albedo.png"]);
+    assert_eq!(names(&make(&sand_and_snow(2))), ["snow_height.png", "snow_albedo.png", "snow_normal.png"]);
 }
 
 #[test]
 fn a_damaged_file_is_made_again() {
     let root = tempfile::tempdir().expect("a temporary folder");
-    let jobs = [job("snow", "snow", 32, 1)];
-    make(&jobs, root.path()).expect("it can be made");
-    let path = root.path().join("snow_height.png");
+    let [_, snow] = sand_and_snow(1);
+    make_under(root.path(), &[&snow]).expect("it can be made");
+    let path = root.path().join("textures/snow_height.png");
     let good = std::fs::read(&path).expect("it is there");
     std::fs::write(&path, &good[..20]).expect("it can be cut off");
-    assert_eq!(make(&jobs, root.path()).expect("it can be made again").len(), 2);
+    assert_eq!(make_under(root.path(), &[&snow]).expect("it can be made again").len(), 3);
     assert_eq!(std::fs::read(&path).expect("it is there"), good);
 }
 
 #[test]
 fn a_failed_write_leaves_what_was_there() {
     let root = tempfile::tempdir().expect("a temporary folder");
+    let folder = root.path().join("textures");
     // A folder stands where the second file belongs: the rename fails.
-    std::fs::create_dir_all(root.path().join("snow_albedo.png/occupied")).expect("a folder can be made");
-    let error = make(&[job("snow", "snow", 32, 1)], root.path()).expect_err("a folder cannot be replaced");
-    assert!(matches!(&error, Error::Write { path, .. } if path.ends_with("snow_albedo.png")), "{error}");
-    assert!(root.path().join("snow_albedo.png/occupied").is_dir());
-    let left: Vec<_> =
-        std::fs::read_dir(root.path()).expect("a folder").flatten().map(|entry| entry.file_name()).collect();
+    std::fs::create_dir_all(folder.join("snow_albedo.png/occupied")).expect("a folder can be made");
+    let error = make_under(root.path(), &[&sand_and_snow(1)[1]]).expect_err("a folder cannot be replaced");
+    assert!(error.path.ends_with("snow_albedo.png"), "{error}");
+    assert!(folder.join("snow_albedo.png/occupied").is_dir());
+    let left: Vec<_> = std::fs::read_dir(folder).expect("a folder").flatten().map(|entry| entry.file_name()).collect();
     assert!(left.iter().all(|name| !name.to_string_lossy().ends_with(".new")), "{left:?}");
-}
-
-#[test]
-fn wrong_recipes_are_refused_before_anything_is_made() {
-    let root = tempfile::tempdir().expect("a temporary folder");
-    let mut out_of_range = job("b", "snow", 32, 1);
-    out_of_range.recipe.args.insert("wind".into(), 2.0);
-    let mut unknown = job("b", "snow", 32, 1);
-    unknown.recipe.args.insert("wimd".into(), 0.5);
-    for (wrong, message) in [
-        (job("b", "snwo", 32, 1), "no recipe `snwo` to make `b` with"),
-        (out_of_range, "argument `wind` of `b` is 2, its range is 0..1"),
-        (unknown, "recipe `snow` of `b` has no argument `wimd`"),
-    ] {
-        let error = make(&[job("a", "snow", 32, 1), wrong], root.path()).expect_err("the second job is wrong");
-        assert_eq!(error.to_string(), message);
-    }
-    assert_eq!(std::fs::read_dir(root.path()).expect("a folder").count(), 0);
 }

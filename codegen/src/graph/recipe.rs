@@ -18,9 +18,11 @@ pub struct Recipe {
 /// The files of a recipe.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Makes {
-    /// The height map of a terrain: one 16-bit grey PNG at the path itself.
+    /// The height map of a terrain, a 16-bit grey PNG at the path itself; beside it, `_height` at the end of its name
+    /// replaced, 8-bit grey masks: `_flow.png` where water gathers and `_deposit.png` where loose ground lies.
     HeightMap,
-    /// A material that tiles: `<path>_height.png` (16-bit grey) and `<path>_albedo.png` (8-bit sRGB).
+    /// A material that tiles: `<path>_height.png` (16-bit grey), `<path>_albedo.png` (8-bit sRGB) and
+    /// `<path>_normal.png` (8 bit; red east, green south, blue out of the ground).
     Material,
 }
 
@@ -55,14 +57,26 @@ const fn argument(name: &'static str, doc: &'static str, range: (f64, f64), defa
     Argument { name, doc, range, default, whole: false }
 }
 
+const fn depth(default: f64) -> Argument {
+    let doc = "Height of white over black, in sides of the tile: how steep the normals are.";
+    argument("depth", doc, (0.0, 0.5), default)
+}
+
+const EXTENT: Argument = argument("extent", "Side of the land, metres.", (256.0, 65_536.0), 4096.0);
+
 impl Makes {
     /// The files at a path of `terrane.ron`, for a `size` argument.
     pub fn files(self, path: &str, size: u32) -> Vec<(String, ImageHeader)> {
         let image = |channels, depth| ImageHeader { size: (size, size), channels, depth };
         match self {
-            Self::HeightMap => vec![(path.to_owned(), image(1, 16))],
+            Self::HeightMap => {
+                let stem = path.trim_end_matches(".png").trim_end_matches("_height");
+                let mask = |role| (format!("{stem}_{role}.png"), image(1, 8));
+                vec![(path.to_owned(), image(1, 16)), mask("flow"), mask("deposit")]
+            }
             Self::Material => {
-                vec![(format!("{path}_height.png"), image(1, 16)), (format!("{path}_albedo.png"), image(3, 8))]
+                let file = |role, header| (format!("{path}_{role}.png"), header);
+                vec![file("height", image(1, 16)), file("albedo", image(3, 8)), file("normal", image(3, 8))]
             }
         }
     }
@@ -80,42 +94,151 @@ const fn material(name: &'static str, doc: &'static str, arguments: &'static [Ar
 pub const RECIPES: &[Recipe] = &[
     material(
         "cracked_rock",
-        "Bedrock split by joints.",
+        "Bedrock split by joints into blocks, grained and overgrown; 4 m a tile.",
         &[
             size(1024.0),
             SEED,
-            argument("cracks", "How many of the joints are open.", (0.0, 1.0), 0.6),
+            depth(0.07),
+            argument("cracks", "How many of the joints are open.", (0.0, 1.0), 0.5),
             argument("lichen", "How much of the surface is overgrown.", (0.0, 1.0), 0.35),
         ],
     ),
-    height_map("dunes", "Wind-blown sand.", &[size(1024.0), SEED]),
-    material("forest_floor", "Litter of leaves and needles.", &[size(1024.0), SEED]),
-    material("grass", "Blades of grass from above.", &[size(1024.0), SEED]),
-    material("moss", "Cushions of moss.", &[size(1024.0), SEED]),
-    height_map("mountains", "Eroded ridges and valleys.", &[size(1024.0), SEED]),
-    material("mud", "Drying mud.", &[size(1024.0), SEED]),
+    height_map(
+        "dunes",
+        "A sea of sand: crescent ridges with steep lee sides, on swells of older dunes.",
+        &[
+            size(2048.0),
+            SEED,
+            EXTENT,
+            argument("relief", "Metres from black to white.", (10.0, 9000.0), 120.0),
+            argument("height", "Height of the highest dunes, metres.", (1.0, 200.0), 34.0),
+        ],
+    ),
     material(
-        "pebbles",
-        "Round stones, close together.",
+        "forest_floor",
+        "Litter of a conifer wood: needles, twigs, leaves, humus; 1.5 m a tile.",
         &[
             size(1024.0),
             SEED,
+            depth(0.03),
+            argument("leaves", "How many leaves lie among the needles.", (0.0, 4.0), 1.0),
+        ],
+    ),
+    material(
+        "grass",
+        "Tufts of grass from above; 1.5 m a tile.",
+        &[
+            size(1024.0),
+            SEED,
+            depth(0.04),
+            argument("cover", "How densely tufts stand.", (0.1, 1.5), 1.0),
+            argument("dry", "Part of the blades that is dead.", (0.0, 1.0), 0.2),
+            argument("length", "Longest blade, in sides of the tile.", (0.01, 0.2), 0.07),
+        ],
+    ),
+    height_map(
+        "mesas",
+        "Flat-lying beds cut back to tables and towers, scree at their feet, dunes on the plain between.",
+        &[
+            size(2048.0),
+            SEED,
+            EXTENT,
+            argument("relief", "Metres from black to white.", (50.0, 9000.0), 500.0),
+            argument("dunes", "Height of the highest dunes, metres.", (0.0, 60.0), 11.0),
+        ],
+    ),
+    material(
+        "moss",
+        "Cushions of moss; 1 m a tile.",
+        &[
+            size(1024.0),
+            SEED,
+            depth(0.035),
+            argument("dry", "How much of it has browned.", (0.0, 1.0), 0.25),
+        ],
+    ),
+    height_map(
+        "mountains",
+        "An alpine range: ridges, cirques, scree, valleys with floors; rivers leave in the south and east.",
+        &[
+            size(2048.0),
+            SEED,
+            EXTENT,
+            argument("relief", "Metres from black to white; summits above it are cut off.", (50.0, 9000.0), 1000.0),
+        ],
+    ),
+    material(
+        "mud",
+        "Mud that dries and cracks; 2 m a tile.",
+        &[
+            size(1024.0),
+            SEED,
+            depth(0.02),
+            argument("cracks", "How much of the ground has cracked.", (0.0, 1.0), 0.5),
+            argument("wet", "0 is dry, 1 is soaked.", (0.0, 1.0), 0.5),
+        ],
+    ),
+    material(
+        "pebbles",
+        "River stones, rounded, in sand; 2 m a tile.",
+        &[
+            size(1024.0),
+            SEED,
+            depth(0.035),
             argument("largest", "Radius of the largest stone, in sides of the tile.", (0.01, 0.2), 0.06),
             argument("sand", "How high the sand lies between the stones.", (0.0, 1.0), 0.3),
         ],
     ),
-    material("ripples", "Sand ripples.", &[size(1024.0), SEED]),
-    material("sand", "Fine sand.", &[size(1024.0), SEED]),
     material(
-        "scree",
-        "Angular stones of mixed size.",
+        "ripples",
+        "Wind-blown sand in ripples that follow each other along u; 2 m a tile.",
         &[
             size(1024.0),
             SEED,
+            depth(0.012),
+            argument("count", "Ripples across the tile.", (4.0, 64.0), 18.0),
+        ],
+    ),
+    material(
+        "sandstone",
+        "Beds of sandstone with laminae, joints and hollows; u runs along the beds; 4 m a tile.",
+        &[
+            size(1024.0),
+            SEED,
+            depth(0.06),
+            argument("beds", "Beds from the foot of the tile to its top.", (3.0, 40.0), 12.0),
+        ],
+    ),
+    material(
+        "scree",
+        "Angular fragments of all sizes; 3 m a tile.",
+        &[
+            size(1024.0),
+            SEED,
+            depth(0.05),
             argument("largest", "Radius of the largest fragment, in sides of the tile.", (0.01, 0.2), 0.075),
         ],
     ),
-    material("snow", "Wind-packed snow.", &[size(1024.0), SEED]),
+    material(
+        "snow",
+        "Wind-packed snow with sastrugi along u; 6 m a tile.",
+        &[
+            size(1024.0),
+            SEED,
+            depth(0.025),
+            argument("wind", "How deep the wind has cut.", (0.0, 1.0), 0.6),
+        ],
+    ),
+    material(
+        "soil",
+        "Bare soil: crumbs, clods, a few stones; 2 m a tile.",
+        &[
+            size(1024.0),
+            SEED,
+            depth(0.03),
+            argument("stones", "How stony it is.", (0.0, 2.0), 0.6),
+        ],
+    ),
 ];
 
 /// A recipe by name.

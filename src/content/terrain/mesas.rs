@@ -44,9 +44,9 @@ pub fn make(arguments: &Arguments) -> Vec<Map> {
     let heights = land.field();
     let low = heights.quantile(0.0);
     vec![
-        Map::grey16("_height", &heights.map(|height| (height - low) / desert.relief)),
-        Map::grey8("_flow", &water(&land, &flow)),
-        Map::grey8("_deposit", &deposit),
+        Map::grey16(&heights.map(|height| (height - low) / desert.relief)),
+        Map::grey8(&water(&land, &flow)),
+        Map::grey8(&deposit),
     ]
 }
 

@@ -1,5 +1,6 @@
 //! Height maps, made by the forces that make land.
 pub mod debris;
+pub mod dunes;
 pub mod flow;
 pub mod land;
 pub mod mesas;

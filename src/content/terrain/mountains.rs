@@ -26,9 +26,9 @@ pub fn make(arguments: &Arguments) -> Vec<Map> {
     let heights = land.field();
     let low = heights.quantile(0.0);
     vec![
-        Map::grey16("_height", &heights.map(|height| (height - low) / range.relief)),
-        Map::grey8("_flow", &water(&land, &flow)),
-        Map::grey8("_deposit", &Field { size: land.size, data: debris }.map(|depth| 1.0 - libm::expf(-depth * 0.6))),
+        Map::grey16(&heights.map(|height| (height - low) / range.relief)),
+        Map::grey8(&water(&land, &flow)),
+        Map::grey8(&Field { size: land.size, data: debris }.map(|depth| 1.0 - libm::expf(-depth * 0.6))),
     ]
 }
 
