@@ -2,6 +2,7 @@
 
 mod content;
 mod house;
+mod library;
 mod render;
 mod skip;
 mod tint;

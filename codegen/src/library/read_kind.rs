@@ -79,8 +79,8 @@ impl Reader<'_> {
     fn kind(&mut self, file: &LibraryFile, category: &str, stem: &str, functions: &[Item]) {
         let (lines, source) = file_doc(&self.library.text, file);
         let doc = lines.join("\n");
-        let summary =
-            doc.split_once(". ").map_or(doc.as_str(), |(first, _)| first).lines().collect::<Vec<_>>().join(" ");
+        let prose = lines.join(" ");
+        let summary = prose.split_once(". ").map_or(prose.as_str(), |(first, _)| first);
         let overloads: Vec<Overload> = functions.iter().filter_map(|item| self.overload(item)).collect();
         let examples: Vec<Example> = functions.iter().flat_map(|item| self.examples(item)).collect();
         let place = functions[0].name_range.clone();

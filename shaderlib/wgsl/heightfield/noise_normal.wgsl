@@ -1,8 +1,8 @@
 //! The normal of fractal noise in one step: fine relief without any texture.
 //! Source: Blinn, "Simulation of Wrinkled Surfaces", SIGGRAPH 1978; Quilez, "Gradient Noise Derivatives", 2017.
 
-/// noise_normal(Place(vec2i(0, 0), vec3f(8.0, 0.0, 16.0), vec3f(0.0), vec3f(0.0)), 8.0, 1u, 0.5, 0.0, 3u) == vec3f(0.0, 0.0, 1.0) +- 1e-6
-/// noise_normal(Place(vec2i(0, 0), vec3f(8.0, 0.0, 16.0), vec3f(0.0), vec3f(0.0)), 8.0, 1u, 0.5, 8.485281, 3u).z == 0.8 +- 1e-5
+/// noise_normal(Place(vec2i(0, 0), vec3f(3.0, 0.0, 1.0), vec3f(0.0), vec3f(0.0)), 8.0, 3u, 0.5, 0.0, 3u) == vec3f(0.0, 0.0, 1.0) +- 1e-6
+/// noise_normal(Place(vec2i(0, 0), vec3f(3.0, 0.0, 1.0), vec3f(0.0), vec3f(0.0)), 8.0, 3u, 0.5, 2.0, 3u) == vec3f(-0.0956035, -0.3734075, 0.9227279) +- 1e-5
 /// -> Unit length; x east, y south, z out of the ground. -1..1
 fn noise_normal(
     /// Where.

@@ -24,7 +24,7 @@ fn normal_from_height(
         textureSampleGrad(of_texture, of_sampler, uv.uv + y, of_layer, uv.ddx, uv.ddy).r
             - textureSampleGrad(of_texture, of_sampler, uv.uv - y, of_layer, uv.ddx, uv.ddy).r,
     );
-    return normal_lerp_upright(-rise / (2.0 * reach) * (depth / max(tile, 0.01)));
+    return layer_normal(-rise / (2.0 * reach) * (depth / max(tile, 0.01)));
 }
 
 /// How far from the middle to sample, in tiles: a texel, or a pixel where that is larger, since nearer samples of a coarser mip hardly differ.

@@ -10,5 +10,5 @@ fn normal_from_slope(
     /// Height that a value of 1 stands for. [m] 0..1000 = 1.0
     depth: f32,
 ) -> vec3f {
-    return normal_lerp_upright(clamp(-slope * depth, vec2f(-1e6), vec2f(1e6)));
+    return layer_normal(clamp(-slope * depth, vec2f(-1e6), vec2f(1e6)));
 }

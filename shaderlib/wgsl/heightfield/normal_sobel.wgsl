@@ -27,5 +27,5 @@ fn normal_sobel(
             }
         }
     }
-    return normal_lerp_upright(-rise / (8.0 * reach) * (depth / max(tile, 0.01)));
+    return layer_normal(-rise / (8.0 * reach) * (depth / max(tile, 0.01)));
 }

@@ -11,5 +11,5 @@ fn normal_strength(
     /// 0 is flat, 1 changes nothing. 0..8 = 1.0
     amount: f32,
 ) -> vec3f {
-    return normal_lerp_upright(amount * normal_lerp_tilt(normal));
+    return layer_normal(amount * layer_slopes(normal));
 }

@@ -15,5 +15,5 @@ fn height_mask(
     /// Width of a border, half of it outside. [m] 0..4000 = 50.0
     softness: f32,
 ) -> f32 {
-    return band(height, low, high, softness);
+    return between(height, low, high, softness);
 }

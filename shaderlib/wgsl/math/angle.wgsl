@@ -6,9 +6,9 @@ fn angle_unit(degrees: f32) -> vec2f {
     let quarter = round(degrees / 90.0);
     let x = (degrees - 90.0 * quarter) * 0.017453292;
     let s = x * x;
-    let sine = x * (1.0 - s * (0.16666667 - s * (0.008333333 - s * (0.0001984127 - s * 0.0000027557319))));
-    let cosine = 1.0 - s * (0.5 - s * (0.041666668 - s * (0.0013888889 - s * 0.000024801588)));
+    let across = x * (1.0 - s * (0.16666667 - s * (0.008333333 - s * (0.0001984127 - s * 0.0000027557319))));
+    let along = 1.0 - s * (0.5 - s * (0.041666668 - s * (0.0013888889 - s * 0.000024801588)));
     let turn = i32(quarter) & 3;
-    let odd = select(vec2f(cosine, sine), vec2f(-sine, cosine), (turn & 1) != 0);
+    let odd = select(vec2f(along, across), vec2f(-across, along), (turn & 1) != 0);
     return clamp(select(odd, -odd, turn >= 2), vec2f(-1.0), vec2f(1.0));
 }

@@ -1,9 +1,12 @@
-//! Fractal sum of gradient noise, every octave finer and turned: the workhorse of natural variation.
+//! Fractal sum of noise, every octave finer and turned: the workhorse of natural variation.
+//! Its spread does not depend on the number of octaves, so a ramp behind it keeps its meaning.
 //! Octaves that a pixel is too large to show fade to their mean, and are not computed.
 //! Source: Musgrave, in Ebert et al., "Texturing and Modeling: A Procedural Approach", 3rd edition, 2003, chapter 16 (fBm); Norton et al., "Clamping", 1982.
 
-/// fbm(Place(vec2i(512, -1024), vec3f(0.0), vec3f(0.0), vec3f(0.0)), 2.0, 1u, 0.5, 3u) == 0.5 +- 1e-6
-/// -> Mostly 0.3 to 0.7, around 0.5. 0..1
+/// fbm(Place(vec2i(0, 0), vec3f(3.0, 0.0, 1.0), vec3f(0.0), vec3f(0.0)), 8.0, 1u, 0.5, 3u) == 0.4477987 +- 1e-5
+/// fbm(Place(vec2i(0, 0), vec3f(3.0, 0.0, 1.0), vec3f(0.0), vec3f(0.0)), 8.0, 3u, 0.5, 3u) == 0.4661109 +- 1e-5
+/// fbm(Place(vec2i(1024000, -512000), vec3f(3.0, 5.0, 1.0), vec3f(0.0), vec3f(0.0)), 32.0, 5u, 0.6, 1u) == 0.5600644 +- 1e-4
+/// -> Around 0.5, two thirds within 0.15 of it whatever the octaves. 0..1
 fn fbm(
     /// Where.
     position: Place,
@@ -25,12 +28,15 @@ fn fbm(
     for (var octave = 0u; octave < octaves; octave++) {
         let kept = lattice_kept(size, footprint);
         if (kept > 0.0) {
-            sum += amplitude * kept * gradient_noise_at(lattice, 16u * seed + octave);
+            sum += amplitude * kept * value_gradient_noise_at(lattice, 16u * seed + octave);
         }
-        total += amplitude;
+        total += amplitude * amplitude;
         amplitude *= persistence;
         size *= LATTICE_FINER;
         lattice = lattice_octave(lattice);
     }
-    return saturate(0.5 + 0.5 * sum / max(total, 1.0));
+    return saturate(0.5 + FBM_SPREAD * sum / sqrt(max(total, 1.0)));
 }
+
+/// Makes the standard deviation 0.15: that of one octave, measured, is 0.259, and those of several add up as squares.
+const FBM_SPREAD: f32 = 0.58;

@@ -9,8 +9,8 @@ struct FbmDerivative {
     slope: vec2f,
 }
 
-/// fbm_derivative(Place(vec2i(0, 0), vec3f(8.0, 0.0, 16.0), vec3f(0.0), vec3f(0.0)), 8.0, 1u, 0.5, 3u).value == 0.5 +- 1e-6
-/// length(fbm_derivative(Place(vec2i(0, 0), vec3f(8.0, 0.0, 16.0), vec3f(0.0), vec3f(0.0)), 8.0, 1u, 0.5, 3u).slope) == 0.08838835 +- 1e-6
+/// fbm_derivative(Place(vec2i(0, 0), vec3f(3.0, 0.0, 1.0), vec3f(0.0), vec3f(0.0)), 8.0, 3u, 0.5, 3u).value == 0.4661109 +- 1e-5
+/// fbm_derivative(Place(vec2i(0, 0), vec3f(3.0, 0.0, 1.0), vec3f(0.0), vec3f(0.0)), 8.0, 3u, 0.5, 3u).slope == vec2f(0.0518048, 0.2023389) +- 1e-5
 fn fbm_derivative(
     /// Where.
     position: Place,
@@ -34,15 +34,17 @@ fn fbm_derivative(
     for (var octave = 0u; octave < octaves; octave++) {
         let kept = lattice_kept(size, footprint);
         if (kept > 0.0) {
-            let noise = gradient_noise_derivative_at(lattice, 16u * seed + octave);
+            let noise = value_gradient_noise_slope_at(lattice, 16u * seed + octave);
             sum += amplitude * kept * vec3f(noise.x, noise.yz * turn);
         }
-        total += amplitude;
+        total += amplitude * amplitude;
         amplitude *= persistence;
         size *= LATTICE_FINER;
         lattice = lattice_octave(lattice);
         turn = lattice_octave_gradient(turn);
     }
-    let mean = 0.5 * sum / max(total, 1.0);
-    return FbmDerivative(saturate(0.5 + mean.x), mean.yz / wavelength);
+    let spread = FBM_SPREAD * sum / sqrt(max(total, 1.0));
+    // Where the value is held at 0 or 1 the ground is flat.
+    let held = abs(spread.x) >= 0.5;
+    return FbmDerivative(saturate(0.5 + spread.x), select(spread.yz / wavelength, vec2f(0.0), held));
 }

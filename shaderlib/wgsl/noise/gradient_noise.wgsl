@@ -1,8 +1,9 @@
 //! Perlin's noise: random slopes on a grid, smoothly joined. The base of clouds of grass, dirt and rock.
 //! Source: Perlin, "Improving Noise", SIGGRAPH 2002 (quintic fade); the slopes are unit vectors of any direction.
 
-/// gradient_noise(Place(vec2i(0, 0), vec3f(16.0, 3.0, 24.0), vec3f(0.0), vec3f(0.0)), 8.0, 7u) == 0.5 +- 1e-6
 /// gradient_noise(Place(vec2i(-2048000000, 2048), vec3f(0.0), vec3f(0.0), vec3f(0.0)), 8.0, 1u) == 0.5 +- 1e-6
+/// gradient_noise(Place(vec2i(0, 0), vec3f(3.0, 0.0, 1.0), vec3f(0.0), vec3f(0.0)), 8.0, 3u) == 0.4360672 +- 1e-5
+/// gradient_noise(Place(vec2i(1024000, -512000), vec3f(3.0, 5.0, 1.0), vec3f(0.0), vec3f(0.0)), 8.0, 7u) == 0.4261413 +- 1e-5
 /// -> 0.5 on the grid's corners, waves of about one wavelength between them. 0..1
 fn gradient_noise(
     /// Where.

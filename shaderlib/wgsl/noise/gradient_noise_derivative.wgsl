@@ -9,8 +9,8 @@ struct GradientNoiseDerivative {
     slope: vec2f,
 }
 
-/// gradient_noise_derivative(Place(vec2i(0, 0), vec3f(8.0, 0.0, 16.0), vec3f(0.0), vec3f(0.0)), 8.0, 3u).value == 0.5 +- 1e-6
-/// length(gradient_noise_derivative(Place(vec2i(0, 0), vec3f(8.0, 0.0, 16.0), vec3f(0.0), vec3f(0.0)), 8.0, 3u).slope) == 0.08838835 +- 1e-6
+/// gradient_noise_derivative(Place(vec2i(0, 0), vec3f(3.0, 0.0, 1.0), vec3f(0.0), vec3f(0.0)), 8.0, 3u).value == 0.4360672 +- 1e-5
+/// gradient_noise_derivative(Place(vec2i(0, 0), vec3f(3.0, 0.0, 1.0), vec3f(0.0), vec3f(0.0)), 8.0, 3u).slope == vec2f(0.0584745, -0.0889489) +- 1e-5
 fn gradient_noise_derivative(
     /// Where.
     position: Place,

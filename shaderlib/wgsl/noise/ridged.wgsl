@@ -1,7 +1,8 @@
 //! Sharp crests that carry finer crests, smooth valleys: ridged multifractal noise, for eroded rock and drifted snow.
 //! Source: Musgrave, in Ebert et al., "Texturing and Modeling: A Procedural Approach", 3rd edition, 2003, chapter 16 (ridged multifractal, offset 1).
 
-/// ridged(Place(vec2i(512, -1024), vec3f(0.0), vec3f(0.0), vec3f(0.0)), 2.0, 1u, 0.5, 2.0, 3u) == 1.0 +- 1e-6
+/// ridged(Place(vec2i(0, 0), vec3f(3.0, 0.0, 1.0), vec3f(0.0), vec3f(0.0)), 8.0, 3u, 0.5, 2.0, 3u) == 0.8250791 +- 1e-5
+/// ridged(Place(vec2i(1024000, -512000), vec3f(3.0, 5.0, 1.0), vec3f(0.0), vec3f(0.0)), 32.0, 5u, 0.6, 1.0, 1u) == 0.1637119 +- 1e-4
 /// -> 1 on the crests. 0..1
 fn ridged(
     /// Where.
@@ -28,7 +29,7 @@ fn ridged(
         let kept = lattice_kept(size, footprint);
         var crest = RIDGED_MEAN;
         if (kept > 0.0) {
-            let fold = 1.0 - abs(gradient_noise_at(lattice, 16u * seed + octave));
+            let fold = 1.0 - abs(value_gradient_noise_at(lattice, 16u * seed + octave));
             crest = mix(RIDGED_MEAN, fold * fold, kept);
         }
         sum += amplitude * allowed * crest;
@@ -41,5 +42,5 @@ fn ridged(
     return saturate(sum / max(total, 1.0));
 }
 
-/// Mean of (1 - |gradient noise|)^2, measured: what is left of an octave that is too fine to be seen.
-const RIDGED_MEAN: f32 = 0.56;
+/// Mean of a crest, measured: what is left of an octave that is too fine to be seen.
+const RIDGED_MEAN: f32 = 0.643;

@@ -1,7 +1,8 @@
 //! Random numbers on a grid, smoothly joined: the cheapest noise, a little blocky.
 //! Source: Ebert et al., "Texturing and Modeling: A Procedural Approach", 3rd edition, 2003, chapter 2 (lattice noises); Perlin, "Improving Noise", 2002 (the fade).
 
-/// value_noise(Place(vec2i(0, 0), vec3f(0.0, 0.0, 0.0), vec3f(0.0), vec3f(0.0)), 8.0, 0u) == 0.5 +- 0.5
+/// value_noise(Place(vec2i(0, 0), vec3f(3.0, 0.0, 1.0), vec3f(0.0), vec3f(0.0)), 8.0, 3u) == 0.8367859 +- 1e-5
+/// value_noise(Place(vec2i(1024000, -512000), vec3f(3.0, 5.0, 1.0), vec3f(0.0), vec3f(0.0)), 8.0, 7u) == 0.2739201 +- 1e-5
 /// -> Evenly spread at the grid's corners, towards the middle between them. 0..1
 fn value_noise(
     /// Where.

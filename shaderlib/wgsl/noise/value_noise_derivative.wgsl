@@ -9,7 +9,8 @@ struct ValueNoiseDerivative {
     slope: vec2f,
 }
 
-/// value_noise_derivative(Place(vec2i(0, 0), vec3f(8.0, 0.0, 16.0), vec3f(0.0), vec3f(0.0)), 8.0, 3u).slope == vec2f(0.0, 0.0) +- 1e-6
+/// value_noise_derivative(Place(vec2i(0, 0), vec3f(3.0, 0.0, 1.0), vec3f(0.0), vec3f(0.0)), 8.0, 3u).value == 0.8367859 +- 1e-5
+/// value_noise_derivative(Place(vec2i(0, 0), vec3f(3.0, 0.0, 1.0), vec3f(0.0), vec3f(0.0)), 8.0, 3u).slope == vec2f(-0.0917042, -0.0243570) +- 1e-5
 fn value_noise_derivative(
     /// Where.
     position: Place,

@@ -29,10 +29,10 @@ fn hex_tile_normal(
         let uv = copy.uv;
         let texel = textureSampleGrad(of_texture, of_sampler, uv.uv, of_layer, uv.ddx, uv.ddy);
         let weight = hex_tile_weight(copy.near, vec3f(1.0));
-        let turned = normal_lerp_tilt(normal_map(texel, strength, 0.0));
+        let turned = layer_slopes(normal_map(texel, strength, 0.0));
         let back = mat2x2f(copy.turn.x, copy.turn.y, -copy.turn.y, copy.turn.x);
         tilt += weight * (back * turned);
         total += weight;
     }
-    return normal_lerp_upright(tilt / max(total, 1e-5));
+    return layer_normal(tilt / max(total, 1e-5));
 }

@@ -8,12 +8,12 @@ fn env_brdf(
     /// What is mirrored when looking straight at the surface. 0..1 = (0.04, 0.04, 0.04)
     f0: vec3f,
     /// Cosine between normal and view. -1..1
-    cosine: f32,
+    facing: f32,
     /// Perceptual roughness. 0..1 = 0.5
     roughness: f32,
 ) -> vec3f {
     let r = roughness * vec4f(-1.0, -0.0275, -0.572, 0.022) + vec4f(1.0, 0.0425, 1.04, -0.04);
-    let grazing = min(r.x * r.x, exp2(-9.28 * saturate(cosine))) * r.x + r.y;
+    let grazing = min(r.x * r.x, exp2(-9.28 * saturate(facing))) * r.x + r.y;
     let fit = vec2f(-1.04, 1.04) * grazing + r.zw;
     return saturate(f0 * fit.x + fit.y);
 }

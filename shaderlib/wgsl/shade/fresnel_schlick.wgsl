@@ -9,10 +9,10 @@ fn fresnel_schlick(
     /// What is mirrored when looking straight at the surface. 0..1 = (0.04, 0.04, 0.04)
     f0: vec3f,
     /// Cosine of the angle between view and half vector. -1..1
-    cosine: f32,
+    facing: f32,
 ) -> vec3f {
     // Rounded unit vectors give cosines just above 1; saturated first, so nothing negative is raised to a power.
-    let m = 1.0 - saturate(cosine);
+    let m = 1.0 - saturate(facing);
     let m2 = m * m;
     return saturate(mix(f0, vec3f(1.0), m2 * m2 * m));
 }

@@ -7,12 +7,12 @@
 /// -> Facets per solid angle. [1/sr] 0..80000
 fn ggx(
     /// Cosine between the normal and the half vector. -1..1
-    cosine: f32,
+    facing: f32,
     /// Perceptual roughness; values under 0.045 count as 0.045. 0..1 = 0.5
     roughness: f32,
 ) -> f32 {
     let a = ggx_alpha(roughness);
-    let c = saturate(cosine);
+    let c = saturate(facing);
     // 1 - c^2 (1 - a^2) as a sum of squares of positive terms: it never cancels to 0.
     let d = (1.0 - c) * (1.0 + c) + c * c * a * a;
     return 0.3183099 * (a / d) * (a / d);

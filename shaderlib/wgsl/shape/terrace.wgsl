@@ -1,7 +1,7 @@
 //! Cuts a slope into steps: flat treads with rises between them.
 //! Source: Terrane; Musgrave, in Ebert et al., "Texturing and Modeling: A Procedural Approach", 3rd edition, 2003, describes strata by such a step function.
 
-/// terrace(0.6, 2.0, 0.0) == 0.648 +- 1e-5
+/// terrace(0.6, 2.0, 0.0) == 0.552 +- 1e-5
 /// terrace(0.7, 2.0, 1.0) == 0.5 +- 1e-6
 /// terrace(0.85, 2.0, 0.4) == 0.75 +- 1e-5
 /// terrace(1.0, 5.0, 0.9) == 1.0 +- 0

@@ -1,0 +1,20 @@
+//! The node library: what every node promises, checked for every node without a test written for it.
+
+mod call;
+mod documentation;
+mod examples;
+mod lattice;
+mod noise;
+mod ranges;
+mod texture;
+
+use std::sync::LazyLock;
+
+use terrane_codegen::diagnostic::{Sources, render};
+use terrane_codegen::library::Library;
+
+/// The standard library, read once.
+static LIBRARY: LazyLock<Library> = LazyLock::new(|| {
+    let mut sources = Sources::default();
+    Library::load(&mut sources, &[]).unwrap_or_else(|findings| panic!("{}", render(&findings, &sources, false)))
+});
