@@ -1,14 +1,12 @@
-//! From a project's graphs to what the renderer draws and the makers make.
+//! From a project's graphs to what the renderer draws.
 
 use std::collections::BTreeSet;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use terrane_codegen::compile::Compiled;
-use terrane_codegen::graph::Project;
 use terrane_codegen::graph::model::{Scene, Shadow, Terrain};
 use terrane_codegen::manifest::UniformInfo;
 
-use crate::content::{self, Job, Recipe};
 use crate::render::material::{Format, Material, Sampling, TextureArray, decode};
 use crate::render::{Camera, HeightField, RenderError, RenderScene};
 
@@ -16,21 +14,6 @@ use crate::render::{Camera, HeightField, RenderError, RenderScene};
 pub fn files(compiled: &Compiled) -> BTreeSet<String> {
     let layers = compiled.manifest.textures.iter().flat_map(|texture| texture.layers.iter().cloned());
     layers.chain(compiled.manifest.terrain.iter().map(|terrain| terrain.height_map.clone())).collect()
-}
-
-/// Makes those of the files that `terrane.ron` has a recipe for, where they are missing or the recipe has changed.
-///
-/// # Errors
-/// If a file cannot be written.
-pub fn make(project: &Project, files: &BTreeSet<String>) -> Result<Vec<PathBuf>, content::Error> {
-    let wanted = project.made.iter().filter(|made| made.files.iter().any(|(file, _)| files.contains(file)));
-    let jobs: Vec<Job> = wanted
-        .map(|made| {
-            let args = made.arguments.iter().map(|(name, value)| ((*name).to_owned(), *value)).collect();
-            Job { key: made.path.clone(), recipe: Recipe { name: made.recipe.name.into(), args } }
-        })
-        .collect();
-    content::make(&jobs, project.root())
 }
 
 /// What group 1 reads, as the manifest lists it; parameters have their defaults.

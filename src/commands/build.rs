@@ -6,7 +6,7 @@ use terrane_codegen::compile::Compiled;
 use terrane_codegen::graph::{FileRole, Project};
 
 use super::{Failure, project};
-use terrane::{file, scene};
+use terrane::{content, file, scene};
 
 /// Write the WGSL of a terrain or surface, its manifest, and the textures it reads
 #[derive(Debug, clap::Args)]
@@ -69,7 +69,7 @@ fn compile(project: &mut Project, path: &str) -> Result<Compiled, Failure> {
 /// Makes what is missing, then puts every file that the manifest names beside it.
 fn copy_textures(project: &Project, compiled: &Compiled, output: &Path) -> Result<(), Failure> {
     let files = scene::files(compiled);
-    scene::make(project, &files).map_err(|error| Failure::Machine(error.to_string()))?;
+    content::make(project, &files).map_err(|error| Failure::Machine(error.to_string()))?;
     for name in files {
         let from = project.root().join(&name);
         let bytes = std::fs::read(&from).map_err(|error| Failure::file("read", &from, &error))?;

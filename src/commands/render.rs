@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use terrane::content;
 use terrane::render::{Gpu, Progress, RenderError, Selection, render_scene};
 use terrane::scene::{self, Quality};
 
@@ -56,7 +57,7 @@ impl Render {
             .map_err(|found| project::findings(&found, &project.sources))?;
         // Before the textures are made: whoever lacks a driver need not wait to hear of it.
         let gpu = open(self.adapter.as_deref())?;
-        scene::make(&project, &scene::files(&compiled)).map_err(|error| Failure::Machine(error.to_string()))?;
+        content::make(&project, &scene::files(&compiled)).map_err(|error| Failure::Machine(error.to_string()))?;
         let material = scene::material(&compiled, project.root());
         let field = scene::height_field(&scene.terrain, project.root()).map_err(failure)?;
         let image = self.size.unwrap_or([scene.image.0, scene.image.1]);

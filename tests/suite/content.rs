@@ -53,7 +53,9 @@ fn digest(maps: &[Map]) -> u64 {
     for map in maps {
         match &map.texels {
             Texels::Grey16(texels) => texels.iter().flat_map(|texel| texel.to_be_bytes()).for_each(&mut take),
-            Texels::Grey8(bytes) | Texels::Srgb8(bytes) | Texels::Rgb8(bytes) => bytes.iter().copied().for_each(&mut take),
+            Texels::Grey8(bytes) | Texels::Srgb8(bytes) | Texels::Rgb8(bytes) => {
+                bytes.iter().copied().for_each(&mut take)
+            }
         }
     }
     hash
@@ -75,7 +77,8 @@ fn a_recipe_changes_only_with_its_revision() {
     let mut table = String::new();
     for recipe in RECIPES {
         let digest = digest(&maps(recipe, 64, 1));
-        writeln!(table, "{} {} {digest:016x}", recipe.name, maker(recipe.name).revision).expect("strings take all text");
+        writeln!(table, "{} {} {digest:016x}", recipe.name, maker(recipe.name).revision)
+            .expect("strings take all text");
     }
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/suite/content.digests");
     if std::env::var_os("BLESS").is_some() {

@@ -150,12 +150,7 @@ pub const RECIPES: &[Recipe] = &[
     material(
         "moss",
         "Cushions of moss; 1 m a tile.",
-        &[
-            size(1024.0),
-            SEED,
-            depth(0.035),
-            argument("dry", "How much of it has browned.", (0.0, 1.0), 0.25),
-        ],
+        &[size(1024.0), SEED, depth(0.035), argument("dry", "How much of it has browned.", (0.0, 1.0), 0.25)],
     ),
     height_map(
         "mountains",
@@ -192,12 +187,7 @@ pub const RECIPES: &[Recipe] = &[
     material(
         "ripples",
         "Wind-blown sand in ripples that follow each other along u; 2 m a tile.",
-        &[
-            size(1024.0),
-            SEED,
-            depth(0.012),
-            argument("count", "Ripples across the tile.", (4.0, 64.0), 18.0),
-        ],
+        &[size(1024.0), SEED, depth(0.012), argument("count", "Ripples across the tile.", (4.0, 64.0), 18.0)],
     ),
     material(
         "sandstone",
@@ -222,22 +212,12 @@ pub const RECIPES: &[Recipe] = &[
     material(
         "snow",
         "Wind-packed snow with sastrugi along u; 6 m a tile.",
-        &[
-            size(1024.0),
-            SEED,
-            depth(0.025),
-            argument("wind", "How deep the wind has cut.", (0.0, 1.0), 0.6),
-        ],
+        &[size(1024.0), SEED, depth(0.025), argument("wind", "How deep the wind has cut.", (0.0, 1.0), 0.6)],
     ),
     material(
         "soil",
         "Bare soil: crumbs, clods, a few stones; 2 m a tile.",
-        &[
-            size(1024.0),
-            SEED,
-            depth(0.03),
-            argument("stones", "How stony it is.", (0.0, 2.0), 0.6),
-        ],
+        &[size(1024.0), SEED, depth(0.03), argument("stones", "How stony it is.", (0.0, 2.0), 0.6)],
     ),
 ];
 
