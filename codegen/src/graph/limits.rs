@@ -14,10 +14,14 @@ pub const INCLUDE_DEPTH: usize = 16;
 pub const FILES: usize = 64;
 /// Bytes of a string.
 pub const STRING_BYTES: usize = 4096;
+/// Parts of a reference: `a.b.c` has three.
+pub const STEPS: usize = 16;
 /// Pixels on a side of an image.
 pub const IMAGE_SIDE: u32 = 16_384;
 /// Pixels of an image.
 pub const IMAGE_PIXELS: u64 = 256 << 20;
+/// Findings of one report.
+pub const FINDINGS: usize = 200;
 /// Layers of a terrain.
 pub const LAYERS: usize = 64;
 /// Patches on a side of a terrain.

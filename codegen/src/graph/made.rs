@@ -57,12 +57,12 @@ fn one(entry: &Entry<MadeEntry>, call: &MadeEntry, findings: &mut Vec<Diagnostic
     }
     let (path, recipe) = (path?, recipe?);
     let arguments = arguments(recipe, call, findings)?;
-    extension(&path, recipe, entry.name.span).map_err(|finding| findings.push(*finding)).ok()?;
+    extension(&path, recipe, entry.name.span).map_err(|finding| findings.push(finding)).ok()?;
     let files = recipe.makes.files(&path, arguments["size"] as u32);
     Some(Made { path, recipe, arguments, files, span: entry.span })
 }
 
-fn extension(path: &str, recipe: &Recipe, span: Span) -> Result<(), Box<Diagnostic>> {
+fn extension(path: &str, recipe: &Recipe, span: Span) -> Result<(), Diagnostic> {
     let (message, help) = match (recipe.makes, path.ends_with(".png")) {
         (Makes::HeightMap, false) => (format!("`{path}` is no file of a height map"), format!("write \"{path}.png\"")),
         (Makes::Material, true) => {

@@ -220,10 +220,20 @@ impl Project {
         let answer = question(&mut session, &named);
         let (mut findings, graphs) = (session.findings, session.graphs);
         sort(&mut findings);
+        shorten(&mut findings);
         match answer {
             Some(answer) if !any_error(&findings) => Ok((graphs, answer, findings)),
             _ => Err(findings),
         }
+    }
+}
+
+/// Keeps the report readable, and its rendering short, for a file that is wrong everywhere.
+fn shorten(findings: &mut Vec<Diagnostic>) {
+    let hidden = findings.len().saturating_sub(limits::FINDINGS);
+    findings.truncate(limits::FINDINGS);
+    if let Some(last) = findings.last_mut().filter(|_| hidden > 0) {
+        last.notes.push(format!("{hidden} more findings are not shown"));
     }
 }
 
@@ -241,7 +251,7 @@ fn own_nodes(files: &dyn Files, sources: &mut Sources) -> Result<Vec<(String, St
             Ok(text) => nodes.push((path, text)),
             Err(error) => {
                 let place = Span { source: sources.add(&path, ""), start: 0, end: 0 };
-                findings.push(*file_error(files, std::iter::empty(), &path, &error, place));
+                findings.push(file_error(files, std::iter::empty(), &path, &error, place));
             }
         }
     }

@@ -1,10 +1,18 @@
 //! "Did you mean": the nearest known name to an unknown one.
 
+/// Bytes of a name that somebody can have meant.
+const LONGEST: usize = 64;
+
 /// The nearest of some names, if it is near enough to be meant.
 pub fn nearest<'a>(unknown: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
+    if unknown.len() > LONGEST {
+        return None;
+    }
     let limit = unknown.chars().count().div_ceil(3).min(4);
     let ranked = known.into_iter().map(|name| (distance(unknown, name), name));
-    ranked.filter(|(distance, name)| *distance <= limit || is_part(unknown, name)).min().map(|(_, name)| name)
+    // A name of which no letter is right was not meant.
+    let near = |(distance, name): &(usize, &str)| *distance <= limit && *distance < unknown.len().max(name.len());
+    ranked.filter(|found| near(found) || is_part(unknown, found.1)).min().map(|(_, name)| name)
 }
 
 /// A help text: the nearest name, or what there is.
@@ -70,5 +78,7 @@ mod tests {
         assert_eq!(nearest("overlya", ["overlay", "over"]), Some("overlay"));
         assert_eq!(nearest("perlin", ["noise_perlin", "noise_value"]), Some("noise_perlin"));
         assert_eq!(nearest("q", ["overlay", "ramp"]), None);
+        assert_eq!(nearest("x", ["r", "g"]), None);
+        assert_eq!(nearest("X", ["x", "g"]), Some("x"));
     }
 }

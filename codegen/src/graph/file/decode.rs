@@ -12,6 +12,14 @@ const VERSION: u32 = 1;
 pub(crate) fn decode(source: SourceId, path: &str, text: &str, findings: &mut Vec<Diagnostic>) -> Option<Document> {
     let raw = Raw::file(source, text).map_err(|finding| findings.push(finding)).ok()?;
     let (role, head, entries) = head(raw, findings)?;
+    let name = names::stem(path);
+    if role != FileRole::Project && !names::is_name(name) {
+        let message = format!("the file is called `{name}`, which is not a name");
+        findings.push(
+            Diagnostic::error(codes::INVALID_NAME, head, message)
+                .help("lower case letters, digits and single `_`, beginning with a letter: it becomes a name in WGSL"),
+        );
+    }
     let mut fields = Fields::new(role.words(), head, entries, findings);
     version(&mut fields, findings)?;
     let doc = fields.take("doc").and_then(|field| field.text(findings)).unwrap_or_default();
@@ -24,7 +32,7 @@ pub(crate) fn decode(source: SourceId, path: &str, text: &str, findings: &mut Ve
         FileRole::Project => Content::Project(project::read(&mut fields, findings)),
     };
     fields.close(findings);
-    Some(Document { source, path: path.to_owned(), name: names::stem(path).to_owned(), doc, head, content })
+    Some(Document { source, path: path.to_owned(), name: name.to_owned(), doc, head, content })
 }
 
 /// The role of a file, for those who only want to know that.

@@ -74,8 +74,10 @@ fn numbers(field: Field<'_>, items: &[Raw<'_>], findings: &mut Vec<Diagnostic>) 
 
 /// `"rock.rgb"`, each part with its own place where the text has no escapes.
 fn path(raw: Raw<'_>, text: Cow<'_, str>, findings: &mut Vec<Diagnostic>) -> Option<Vec<Named>> {
-    if text.len() > limits::STRING_BYTES || text.split('.').count() > limits::INCLUDE_DEPTH {
-        let message = format!("a reference of {} bytes, the limit is {}", text.len(), limits::STRING_BYTES);
+    let steps = text.split('.').count();
+    if text.len() > limits::STRING_BYTES || steps > limits::STEPS {
+        let limit = format!("the limit is {} bytes and {} parts", limits::STRING_BYTES, limits::STEPS);
+        let message = format!("a reference of {} bytes in {steps} parts, {limit}", text.len());
         findings.push(Diagnostic::error(codes::LIMIT, raw.span(), message));
         return None;
     }

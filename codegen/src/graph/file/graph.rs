@@ -185,6 +185,7 @@ fn texture(field: Field<'_>, findings: &mut Vec<Diagnostic>) -> Option<TextureEn
     let filter = fields.take("filter").map_or(Some(Filter::Linear), |field| field.choice(&filters, findings));
     let anisotropy = fields.take("anisotropy").map_or(Some(1), |field| field.whole(1, 16, findings));
     let set = fields.take("set");
+    fields.what = if set.is_some() { "a set of textures" } else { fields.what };
     let files = if let Some(set) = set {
         set.text(findings).map(|path| TextureFiles::Set(Named::new(&path, set.raw.span())))
     } else {
@@ -208,7 +209,8 @@ fn nodes(field: Option<Field<'_>>, findings: &mut Vec<Diagnostic>) -> Vec<Entry<
         if let (true, Some(place)) = (count > limit, place) {
             let message = format!("the file has {count} {what}, the limit is {limit}");
             findings.push(Diagnostic::error(codes::LIMIT, place, message));
-            return Vec::new();
+            // The names stay known, so that nothing else is said about them.
+            return nodes.into_iter().map(|node| Entry { value: None, ..node }).collect();
         }
     }
     nodes

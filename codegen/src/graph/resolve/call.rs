@@ -1,5 +1,7 @@
 //! One node: which function it calls, and what each of its inputs gets.
 
+use std::borrow::Cow;
+
 use super::fit::{self, Owner};
 use super::scope::Scope;
 use super::wire::{NodeValue, Operand};
@@ -26,6 +28,9 @@ pub(super) struct Caller<'a> {
     pub(super) textures: &'a [Texture],
 }
 
+/// The inputs of one overload.
+type Signature<'a> = Cow<'a, [Port]>;
+
 /// An argument with its value looked up.
 struct Argument<'a> {
     name: &'a Named,
@@ -44,18 +49,19 @@ impl Caller<'_> {
     ) -> (Option<Node>, NodeValue) {
         let arguments: Vec<Argument<'_>> =
             call.arguments.iter().map(|argument| self.argument(argument, findings)).collect();
-        let signatures: Vec<Vec<Port>> = match callable {
-            Callable::Kind(kind) => kind.overloads.iter().map(|overload| overload.inputs.clone()).collect(),
+        let signatures: Vec<Signature<'_>> = match callable {
+            Callable::Kind(kind) => kind.overloads.iter().map(|overload| overload.inputs.as_slice().into()).collect(),
             Callable::Instance(_, graph) => vec![graph.inputs.iter().map(super::port::as_port).collect()],
         };
-        let arguments = known_ports(arguments, &signatures, &call.kind, findings);
+        let (arguments, meant) = known_ports(arguments, &signatures, &call.kind, findings);
         let Some(chosen) = self.choose(&arguments, &signatures, &call.kind, findings) else {
             return (None, NodeValue::Broken);
         };
         let texture = texture_channel(self.textures, &arguments, callable, findings);
+        ignored_channel(texture, callable, chosen, findings);
         let unsure =
             signatures.len() > 1 && arguments.iter().any(|argument| matches!(argument.operand, Operand::Broken));
-        let inputs = self.inputs(entry, &call.kind, arguments, &signatures[chosen], findings);
+        let inputs = self.inputs(entry, &call.kind, arguments, &signatures[chosen], &meant, findings);
         let (callee, value, channel) = result(callable, chosen, texture);
         let ty = match &value {
             NodeValue::Value(ty, _) => Some(ty.clone()),
@@ -86,11 +92,11 @@ impl Caller<'_> {
     fn choose(
         &self,
         arguments: &[Argument<'_>],
-        signatures: &[Vec<Port>],
+        signatures: &[Signature<'_>],
         kind: &Named,
         findings: &mut Vec<Diagnostic>,
     ) -> Option<usize> {
-        let distance = |ports: &Vec<Port>| {
+        let distance = |ports: &Signature<'_>| {
             let one = |argument: &Argument<'_>| {
                 let port = ports.iter().find(|port| port.name == argument.name.name)?;
                 fit::distance(&argument.operand, &port.ty)
@@ -115,6 +121,7 @@ impl Caller<'_> {
         kind: &Named,
         mut arguments: Vec<Argument<'_>>,
         ports: &[Port],
+        meant: &[String],
         findings: &mut Vec<Diagnostic>,
     ) -> Option<Vec<Input>> {
         let mut missing = Vec::new();
@@ -130,6 +137,8 @@ impl Caller<'_> {
             };
             inputs.push(input);
         }
+        // What is misspelt is not missing as well.
+        missing.retain(|port| !meant.contains(&port.name));
         if !missing.is_empty() {
             findings.push(missing_inputs(kind, &missing));
         }
@@ -138,6 +147,10 @@ impl Caller<'_> {
 
     fn input(&self, argument: Argument<'_>, port: &Port, kind: &str, findings: &mut Vec<Diagnostic>) -> Option<Input> {
         let owner = Owner::Kind(kind);
+        if port.constant && matches!(argument.operand, Operand::Wire(_)) {
+            findings.push(fit::not_constant(port, owner, argument.span));
+            return None;
+        }
         if fit::distance(&argument.operand, &port.ty).is_some() {
             return fit::input(argument.operand, port, owner, argument.span, findings);
         }
@@ -146,14 +159,16 @@ impl Caller<'_> {
     }
 }
 
-/// Drops the arguments that no overload takes, with a finding for each.
+/// Drops the arguments that no overload takes, with a finding for each; and gives the ports that they may have meant.
 fn known_ports<'a>(
     arguments: Vec<Argument<'a>>,
-    signatures: &[Vec<Port>],
+    signatures: &[Signature<'_>],
     kind: &Named,
     findings: &mut Vec<Diagnostic>,
-) -> Vec<Argument<'a>> {
-    let mut names: Vec<&str> = signatures.iter().flatten().map(|port| port.name.as_str()).collect();
+) -> (Vec<Argument<'a>>, Vec<String>) {
+    let mut meant = Vec::new();
+    let mut names: Vec<&str> =
+        signatures.iter().flat_map(|ports| ports.iter()).map(|port| port.name.as_str()).collect();
     names.sort_unstable();
     names.dedup();
     let is_known = |argument: &Argument<'_>| {
@@ -162,11 +177,13 @@ fn known_ports<'a>(
             let message = format!("`{}` has no input `{}`", kind.name, argument.name.name);
             let mut finding = Diagnostic::error(codes::UNKNOWN_PORT, argument.name.span, message);
             finding.help = suggest::help(&argument.name.name, names.iter().copied());
+            meant.extend(suggest::nearest(&argument.name.name, names.iter().copied()).map(str::to_owned));
             findings.push(finding);
         }
         known
     };
-    arguments.into_iter().filter(is_known).collect()
+    let arguments = arguments.into_iter().filter(is_known).collect();
+    (arguments, meant)
 }
 
 fn missing_inputs(kind: &Named, missing: &[&Port]) -> Diagnostic {
@@ -180,11 +197,11 @@ fn missing_inputs(kind: &Named, missing: &[&Port]) -> Diagnostic {
     Diagnostic::error(codes::MISSING_INPUT, kind.span, message).help(help.join("\n"))
 }
 
-fn no_overload(arguments: &[Argument<'_>], signatures: &[Vec<Port>], kind: &Named) -> Diagnostic {
+fn no_overload(arguments: &[Argument<'_>], signatures: &[Signature<'_>], kind: &Named) -> Diagnostic {
     let given: Vec<String> =
         arguments.iter().map(|argument| format!("{}: {}", argument.name.name, argument.operand.words())).collect();
     let message = format!("no `{}` takes ({})", kind.name, given.join(", "));
-    let signature = |ports: &Vec<Port>| {
+    let signature = |ports: &Signature<'_>| {
         let ports: Vec<String> = ports.iter().map(|port| format!("{}: {}", port.name, port.ty)).collect();
         format!("{}({})", kind.name, ports.join(", "))
     };
@@ -225,6 +242,21 @@ fn texture_channel(
         findings.push(Diagnostic::error(codes::BAD_CHANNEL, *other, message).also(span, "another channel here"));
     }
     first.map(|channel| (channel, span))
+}
+
+/// A node that does not return the texel does not return a channel of it either.
+fn ignored_channel(
+    texture: Option<(u8, Span)>,
+    callable: Callable<'_>,
+    overload: usize,
+    findings: &mut Vec<Diagnostic>,
+) {
+    let (Some((1.., span)), Callable::Kind(kind)) = (texture, callable) else { return };
+    if kind.overloads[overload].output.ty != Type::Vec4 {
+        let message = format!("`{}` decides itself which channel it reads: `channel` has no effect on it", kind.name);
+        let help = "what reads one number of a texture reads the red channel";
+        findings.push(Diagnostic::warning(codes::IGNORED_CHANNEL, span, message).help(help));
+    }
 }
 
 fn result(callable: Callable<'_>, overload: usize, texture: Option<(u8, Span)>) -> (Callee, NodeValue, Option<u8>) {

@@ -72,13 +72,6 @@ pub(super) fn literal(numbers: &[Number], ty: &Type) -> Result<Literal, Diagnost
 
 fn wire_findings(wire: &Wire, port: &Port, owner: Owner<'_>, span: Span, findings: &mut Vec<Diagnostic>) {
     let input = described(port, owner);
-    if port.constant {
-        let message = format!("{input} is wired, it must be a number");
-        findings.push(
-            Diagnostic::error(codes::CONST_PORT, span, message)
-                .help("it shapes the code, such as a loop count: write the number itself"),
-        );
-    }
     if let (Some(given), Some(wanted)) = (&wire.unit, &port.unit)
         && given != wanted
     {
@@ -127,6 +120,13 @@ fn described(port: &Port, owner: Owner<'_>) -> String {
     }
 }
 
+/// A value where only a number can stand.
+pub(super) fn not_constant(port: &Port, owner: Owner<'_>, span: Span) -> Diagnostic {
+    let message = format!("{} is wired, it must be a number", described(port, owner));
+    Diagnostic::error(codes::CONST_PORT, span, message)
+        .help("it shapes the code, such as a loop count: write the number itself")
+}
+
 /// A value of the wrong type.
 pub(super) fn mismatch(library: &Library, operand: &Operand, port: &Port, owner: Owner<'_>, span: Span) -> Diagnostic {
     let message = format!("{} takes {}, this is {}", described(port, owner), article(&port.ty), a(&operand.words()));
@@ -149,20 +149,22 @@ fn advice(library: &Library, operand: &Operand, wanted: &Type) -> Option<String>
         return matches!(wanted, Type::Struct(_) | Type::Texture).then(|| givers(library, wanted)).flatten();
     };
     match (&wire.ty, wanted) {
-        (Type::Vec2 | Type::Vec3 | Type::Vec4, Type::F32) => Some("pick one component: \"name.x\"".into()),
-        (Type::Vec3 | Type::Vec4, Type::Vec2) => Some("pick two components: \"name.xy\"".into()),
-        (Type::Vec4, Type::Vec3) => Some("pick three components: \"name.rgb\"".into()),
+        (Type::Vec2 | Type::Vec3 | Type::Vec4, Type::F32) => {
+            Some(format!("pick one component: \"{}.x\"", wire.written))
+        }
+        (Type::Vec3 | Type::Vec4, Type::Vec2) => Some(format!("pick two components: \"{}.xy\"", wire.written)),
+        (Type::Vec4, Type::Vec3) => Some(format!("pick three components: \"{}.rgb\"", wire.written)),
         (Type::Texture, _) => {
             Some("a texture is not a value: read it with a node such as texture(of: …, uv: …)".into())
         }
-        (Type::Struct(name), _) => members(library, name, wanted).or_else(|| givers(library, wanted)),
+        (Type::Struct(name), _) => members(library, wire, name, wanted).or_else(|| givers(library, wanted)),
         _ => givers(library, wanted),
     }
 }
 
-fn members(library: &Library, name: &str, wanted: &Type) -> Option<String> {
+fn members(library: &Library, wire: &Wire, name: &str, wanted: &Type) -> Option<String> {
     let members = library.structs.get(name)?.iter().filter(|member| member.ty == *wanted);
-    let names: Vec<String> = members.map(|member| format!("\"name.{}\"", member.name)).collect();
+    let names: Vec<String> = members.map(|member| format!("\"{}.{}\"", wire.written, member.name)).collect();
     (!names.is_empty()).then(|| format!("pick a member: {}", names.join(" or ")))
 }
 

@@ -1,6 +1,6 @@
 //! One surface, instance or mask.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::call::{Callable, Caller};
 use super::images::Images;
@@ -53,7 +53,8 @@ pub(super) fn graph(
     let outputs = output::outputs(world.library, &scope, file, &mut found);
     let relief = file.relief.as_ref().map(|entry| output::relief(world.library, &scope, &textures, entry, &mut found));
     allowed(file, &mut found);
-    let complete = !any_error(&found) && nodes.len() == file.nodes.len() && !matches!(relief, Some(None));
+    let decoded = findings.iter().all(|finding| finding.span().source != document.source);
+    let complete = decoded && !any_error(&found) && nodes.len() == file.nodes.len() && !matches!(relief, Some(None));
     let graph = Graph {
         source: document.source,
         path: document.path.clone(),
@@ -67,8 +68,7 @@ pub(super) fn graph(
         outputs,
         relief: relief.flatten(),
     };
-    let decoded = findings.iter().all(|finding| finding.span().source != document.source);
-    if complete && decoded {
+    if complete {
         unused(&graph, &scope, &file.textures, &mut found);
     }
     findings.append(&mut found);
@@ -144,12 +144,12 @@ fn callable<'a>(
 
 /// An exception for a node that does not exist is an exception for nothing.
 fn allowed(file: &GraphFile, findings: &mut Vec<Diagnostic>) {
-    let names = file.nodes.iter().map(|node| node.name.name.as_str());
+    let names: BTreeSet<&str> = file.nodes.iter().map(|node| node.name.name.as_str()).collect();
     for allowed in &file.allow {
-        if !names.clone().any(|name| name == allowed.name) {
+        if !names.contains(allowed.name.as_str()) {
             let message = format!("an exception for `{}`, which is no node", allowed.name);
             let mut finding = Diagnostic::error(codes::UNKNOWN_NAME, allowed.span, message);
-            finding.help = suggest::help(&allowed.name, names.clone());
+            finding.help = suggest::help(&allowed.name, names.iter().copied());
             findings.push(finding);
         }
     }

@@ -27,7 +27,7 @@ impl Images<'_> {
                 return None;
             }
         };
-        let header = self.header(&path, file.span).map_err(|finding| findings.push(*finding)).ok()?;
+        let header = self.header(&path, file.span).map_err(|finding| findings.push(finding)).ok()?;
         Some((path, header))
     }
 
@@ -36,7 +36,7 @@ impl Images<'_> {
         self.made.contains_key(path) || !matches!(self.files.head(path, 0), Err(FileError::Missing))
     }
 
-    fn header(&self, path: &str, span: Span) -> Result<ImageHeader, Box<Diagnostic>> {
+    fn header(&self, path: &str, span: Span) -> Result<ImageHeader, Diagnostic> {
         if let Some(header) = self.made.get(path) {
             return Ok(*header);
         }

@@ -32,10 +32,13 @@ pub(super) enum Target {
     Broken,
 }
 
+/// Who has a name: what it is, in words, and where it stands.
+type Declaration = (Target, &'static str, Option<Span>);
+
 /// Everything that a reference can mean, and what is known of it.
 pub(super) struct Scope<'a> {
     library: &'a Library,
-    names: BTreeMap<String, (Target, Option<Span>)>,
+    names: BTreeMap<String, Declaration>,
     pub(super) parameters: Vec<Parameter>,
     pub(super) inputs: Vec<InstanceInput>,
     /// By dependency order, as far as they are resolved.
@@ -48,24 +51,26 @@ impl<'a> Scope<'a> {
     /// A scope with the frame fields in it.
     pub(super) fn new(library: &'a Library) -> Self {
         let frame = FrameField::ALL.iter();
-        let names = frame.map(|(field, name, _)| ((*name).to_owned(), (Target::Frame(*field), None))).collect();
+        let names =
+            frame.map(|(field, name, _)| ((*name).to_owned(), (Target::Frame(*field), "frame field", None))).collect();
         let (parameters, inputs, values) = (Vec::new(), Vec::new(), Vec::new());
         Self { library, names, parameters, inputs, values, used: RefCell::default() }
     }
 
     /// Declares a name. The first one keeps it.
-    pub(super) fn declare(&mut self, name: &Named, what: &str, target: Target, findings: &mut Vec<Diagnostic>) {
+    pub(super) fn declare(&mut self, name: &Named, what: &'static str, target: Target, findings: &mut Vec<Diagnostic>) {
         match self.names.entry(name.name.clone()) {
             Place::Vacant(place) => {
-                place.insert((target, Some(name.span)));
+                place.insert((target, what, Some(name.span)));
             }
             Place::Occupied(first) => {
-                let message = format!("{what} `{}` has the name of something else", name.name);
+                let (_, other, place) = first.get();
+                let message = format!("{what} `{}` has the name of a {other}", name.name);
                 let finding = Diagnostic::error(codes::SHADOWING, name.span, message)
                     .help("frame fields, parameters, inputs, textures and nodes share one namespace: rename it");
-                findings.push(match first.get().1 {
-                    Some(span) => finding.also(span, "the first one"),
-                    None => finding.note(format!("`{}` is given to every graph by the frame", name.name)),
+                findings.push(match place {
+                    Some(span) => finding.also(*span, format!("the {other}")),
+                    None => finding,
                 });
             }
         }
@@ -73,7 +78,7 @@ impl<'a> Scope<'a> {
 
     /// What a name means.
     pub(super) fn target(&self, name: &str) -> Option<&Target> {
-        let found = self.names.get(name).map(|(target, _)| target);
+        let found = self.names.get(name).map(|(target, ..)| target);
         if found.is_some() {
             self.used.borrow_mut().insert(name.to_owned());
         }
@@ -85,20 +90,21 @@ impl<'a> Scope<'a> {
         match &expr.value {
             Value::Number(number) => Operand::Numbers(vec![number.clone()]),
             Value::Tuple(numbers) => Operand::Numbers(numbers.clone()),
-            Value::Path(path) => match self.wire(path, expr.span) {
+            // Hints cost time; who has made a hundred mistakes does not read them.
+            Value::Path(path) => match self.wire(path, expr.span, findings.len() < 100) {
                 Ok(Some(wire)) => Operand::Wire(wire),
                 Ok(None) => Operand::Broken,
                 Err(finding) => {
-                    findings.push(*finding);
+                    findings.push(finding);
                     Operand::Broken
                 }
             },
         }
     }
 
-    fn wire(&self, path: &[Named], span: Span) -> Result<Option<Wire>, Box<Diagnostic>> {
+    fn wire(&self, path: &[Named], span: Span, hint: bool) -> Result<Option<Wire>, Diagnostic> {
         let (head, mut rest) = (&path[0], &path[1..]);
-        let target = self.target(&head.name).ok_or_else(|| self.unknown(head))?;
+        let target = self.target(&head.name).ok_or_else(|| self.unknown(head, hint))?;
         let mut wire = match target {
             Target::Broken => return Ok(None),
             Target::Set(members) => return Err(is_a_set(head, members).into()),
@@ -121,25 +127,40 @@ impl<'a> Scope<'a> {
         for part in rest {
             wire = access::step(self.library, wire, part)?;
         }
+        wire.written = path.iter().map(|part| part.name.as_str()).collect::<Vec<_>>().join(".");
         Ok(Some(wire))
     }
 
-    fn unknown(&self, name: &Named) -> Box<Diagnostic> {
+    fn unknown(&self, name: &Named, hint: bool) -> Diagnostic {
         let message = format!("nothing here is called `{}`", name.name);
         let mut finding = Diagnostic::error(codes::UNKNOWN_NAME, name.span, message);
+        if !hint {
+            return finding.into();
+        }
         finding.help = match suggest::nearest(&name.name, self.names.keys().map(String::as_str)) {
             Some(near) => Some(format!("did you mean `{near}`?")),
             None if self.library.kinds.contains_key(&name.name) => {
                 Some(format!("`{0}` is a node kind: call it in a node, \"name\": {0}(…), and refer to that", name.name))
             }
-            None => suggest::help(&name.name, self.names.keys().map(String::as_str)),
+            None => {
+                self.set_of(&name.name).or_else(|| suggest::help(&name.name, self.names.keys().map(String::as_str)))
+            }
         };
         finding.into()
+    }
+
+    /// The set of textures that a name looks like a member of.
+    fn set_of(&self, name: &str) -> Option<String> {
+        let (set, _) = name.rsplit_once('_')?;
+        match self.names.get(set) {
+            Some((Target::Set(members), ..)) => Some(format!("the set `{set}` has {}", suggest::list(members))),
+            _ => None,
+        }
     }
 }
 
 fn plain(value: InputValue, ty: Type, unit: Option<String>) -> Wire {
-    Wire { value, access: Vec::new(), ty, unit }
+    Wire { value, access: Vec::new(), ty, unit, written: String::new() }
 }
 
 fn frame(field: FrameField) -> Wire {
@@ -160,7 +181,7 @@ fn output(
     head: &Named,
     rest: &mut &[Named],
     span: Span,
-) -> Result<Wire, Box<Diagnostic>> {
+) -> Result<Wire, Diagnostic> {
     let named = rest.first().and_then(|part| outputs.iter().find(|(name, ..)| *name == part.name));
     let (name, ty, unit) = match (named, outputs, rest.first()) {
         (Some(found), ..) => {

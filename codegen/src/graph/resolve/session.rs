@@ -110,7 +110,7 @@ impl<'p> Session<'p> {
         let bytes = match self.files.read(path, limits::FILE_BYTES) {
             Ok(bytes) => bytes,
             Err(error) => {
-                self.findings.push(*file_error(self.files, std::iter::empty(), path, &error, from));
+                self.findings.push(file_error(self.files, std::iter::empty(), path, &error, from));
                 return None;
             }
         };
@@ -232,9 +232,12 @@ impl<'p> Session<'p> {
     }
 
     fn instance_cycle(&mut self, first: usize) {
-        let ring = &self.chain[first..];
+        let mut ring = self.chain[first..].to_vec();
+        // The same cycle reads the same, whichever file was looked at first.
+        let smallest = (0..ring.len()).min_by_key(|step| ring[*step].1.clone()).unwrap_or(0);
+        ring.rotate_left(smallest);
         let names: Vec<String> = ring.iter().chain(&ring[..1]).map(|(_, name, _)| format!("`{name}`")).collect();
-        let message = match ring {
+        let message = match ring.as_slice() {
             [(_, name, _)] => format!("instance `{name}` calls itself"),
             _ => format!("cycle of instances: {}", names.join(" -> ")),
         };
@@ -277,7 +280,7 @@ pub(in crate::graph) fn file_error<'a>(
     path: &str,
     error: &FileError,
     span: Span,
-) -> Box<Diagnostic> {
+) -> Diagnostic {
     let (code, message, help) = match error {
         FileError::Missing => {
             (codes::MISSING_FILE, format!("there is no file `{path}`"), near_file(files, others, path))
@@ -305,6 +308,9 @@ fn near_file<'a>(files: &dyn Files, others: impl Iterator<Item = &'a str>, path:
     let join = |name: &str| if folder.is_empty() { name.to_owned() } else { format!("{folder}/{name}") };
     if let Some(near) = suggest::nearest(name, known.iter().copied()) {
         return Some(format!("did you mean `{}`?", join(near)));
+    }
+    if known.is_empty() {
+        return (!folder.is_empty()).then(|| format!("there is no folder `{folder}`"));
     }
     let extension = name.rsplit_once('.').map(|(_, extension)| extension)?;
     let mut alike: Vec<&str> = known.into_iter().filter(|name| name.ends_with(extension)).collect();

@@ -85,7 +85,7 @@ fn one(
     if let Some((channel, span)) = channel
         && channel >= header.channels
     {
-        let letters = ["r", "", "r, g, b", "r, g, b, a"][usize::from(header.channels) - 1];
+        let letters = ["only `r`", "", "`r`, `g`, `b`", "`r`, `g`, `b`, `a`"][usize::from(header.channels) - 1];
         let message = format!("`{path}` has no channel `{}`", ["r", "g", "b", "a"][usize::from(channel)]);
         findings.push(Diagnostic::error(codes::BAD_CHANNEL, span, message).help(format!("it has {letters}")));
         return None;
@@ -114,13 +114,13 @@ fn texture(
 fn suits(path: &str, header: ImageHeader, color: ColorSpace, span: Span, findings: &mut Vec<Diagnostic>) -> bool {
     let problem = match (header.depth, header.channels, color) {
         (16, _, ColorSpace::Srgb) => {
-            Some(("as a colour", "colours are 8 bit; heights and other data are `color: linear`"))
+            Some((", used as a colour", "colours are 8 bit; heights and other data are `color: linear`"))
         }
-        (16, 3.., ColorSpace::Linear) => Some(("with several channels", "16 bit images are grey, one channel each")),
+        (16, 3.., ColorSpace::Linear) => Some((" with several channels", "16 bit images are grey, one channel each")),
         _ => None,
     };
     if let Some((what, help)) = problem {
-        let message = format!("`{path}` is a 16 bit image {what}");
+        let message = format!("`{path}` is a 16 bit image{what}");
         findings.push(Diagnostic::error(codes::BAD_IMAGE, span, message).help(help));
     }
     problem.is_none()
@@ -142,10 +142,10 @@ fn set(
     };
     let found: Vec<_> = SET.iter().filter(|(role, ..)| images.exists(&member_path(&base_path, role))).collect();
     if found.is_empty() {
-        let paths: Vec<String> = SET.iter().map(|(role, ..)| member_path(&base_path, role)).collect();
+        let ends: Vec<String> = SET.iter().map(|(role, ..)| member_path("", role)).collect();
         findings.push(
             Diagnostic::error(codes::EMPTY_SET, base.span, format!("no file of the set `{base_path}` exists"))
-                .help(format!("a set is one or more of {}", suggest::list(&paths))),
+                .help(format!("a set is one or more files that begin so and end in {}", suggest::list(&ends))),
         );
     }
     let mut member = |(role, color, channel): &(&str, ColorSpace, Option<u8>)| {

@@ -15,6 +15,8 @@ pub(super) struct Wire {
     pub(super) ty: Type,
     /// Its unit, where one is known.
     pub(super) unit: Option<String>,
+    /// As the author wrote it: `stone.rgb`.
+    pub(super) written: String,
 }
 
 /// What stands at an input.

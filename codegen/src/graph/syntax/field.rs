@@ -237,7 +237,8 @@ impl<'a> Field<'a> {
 
     /// A word that is none of those that are known.
     pub(crate) fn unknown_choice(self, found: &str, known: &[&str]) -> Diagnostic {
-        let message = format!("`{}` is `{found}`, it should be one of {}", self.name, suggest::list(known));
+        let one_of = if known.len() == 1 { "" } else { "one of " };
+        let message = format!("`{}` is `{found}`, it should be {one_of}{}", self.name, suggest::list(known));
         let finding = Diagnostic::error(codes::UNKNOWN_CHOICE, self.raw.span(), message);
         match suggest::nearest(found, known.iter().copied()) {
             Some(name) => finding.help(format!("did you mean `{name}`?")),

@@ -5,6 +5,7 @@
 //! value and keeps its parts as raw text. So every value, key and call is at hand with its place and in its order, two
 //! equal keys are both seen, and one wrong value does not hide the next one.
 
+mod bracket;
 mod error;
 mod field;
 mod number;

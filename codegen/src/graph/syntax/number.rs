@@ -46,7 +46,7 @@ pub(crate) fn to_f32(number: &Number) -> Result<f32, Diagnostic> {
     }
     let digits = !text.contains(['e', 'E']);
     if digits && number.is_whole() && f64::from(value) != number.value {
-        let message = format!("{text} cannot be held by f32: a shader would read {value}");
+        let message = format!("{text} cannot be held by f32: a shader would read {}", f64::from(value));
         return Err(Diagnostic::error(codes::LOSSY_NUMBER, span, message)
             .help("f32 holds every whole number up to 16777216, and fewer and fewer above"));
     }

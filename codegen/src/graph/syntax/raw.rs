@@ -32,7 +32,8 @@ impl<'a> Raw<'a> {
         if deserializer.extensions().is_empty() {
             return Ok(whole);
         }
-        let header = Span { source, start: 0, end: (file.len() - text.len()) as u32 };
+        let header = file[..file.len() - text.len()].trim_end().len();
+        let header = Span { source, start: 0, end: header as u32 };
         Err(Diagnostic::error(codes::INVALID_RON, header, "RON extensions are enabled")
             .help("delete the `#![enable(…)]` line: graph files are plain RON"))
     }
