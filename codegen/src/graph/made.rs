@@ -75,7 +75,7 @@ fn extension(path: &str, recipe: &Recipe, span: Span) -> Result<(), Diagnostic> 
         }
         _ => return Ok(()),
     };
-    Err(Diagnostic::error(codes::WRONG_SHAPE, span, message).help(help).into())
+    Err(Diagnostic::error(codes::WRONG_SHAPE, span, message).help(help))
 }
 
 fn arguments(

@@ -43,7 +43,7 @@ impl Images<'_> {
         let made = self.made.keys().map(String::as_str);
         let bytes =
             self.files.head(path, HEADER_BYTES).map_err(|error| file_error(self.files, made, path, &error, span))?;
-        image::header(&bytes).map_err(|error| refusal(path, &error, span).into())
+        image::header(&bytes).map_err(|error| refusal(path, &error, span))
     }
 }
 

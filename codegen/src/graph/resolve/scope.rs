@@ -107,7 +107,7 @@ impl<'a> Scope<'a> {
         let target = self.target(&head.name).ok_or_else(|| self.unknown(head, hint))?;
         let mut wire = match target {
             Target::Broken => return Ok(None),
-            Target::Set(members) => return Err(is_a_set(head, members).into()),
+            Target::Set(members) => return Err(is_a_set(head, members)),
             Target::Frame(field) => frame(*field),
             Target::Parameter(index) => {
                 let parameter = &self.parameters[*index];
@@ -135,7 +135,7 @@ impl<'a> Scope<'a> {
         let message = format!("nothing here is called `{}`", name.name);
         let mut finding = Diagnostic::error(codes::UNKNOWN_NAME, name.span, message);
         if !hint {
-            return finding.into();
+            return finding;
         }
         finding.help = match suggest::nearest(&name.name, self.names.keys().map(String::as_str)) {
             Some(near) => Some(format!("did you mean `{near}`?")),
@@ -146,7 +146,7 @@ impl<'a> Scope<'a> {
                 self.set_of(&name.name).or_else(|| suggest::help(&name.name, self.names.keys().map(String::as_str)))
             }
         };
-        finding.into()
+        finding
     }
 
     /// The set of textures that a name looks like a member of.
@@ -202,9 +202,8 @@ fn output(
                 }
             };
             let example = format!("\"{}.{}\"", head.name, names[0]);
-            return Err(finding
-                .help(format!("there is {}: write for instance {example}", suggest::list(&names)))
-                .into());
+            let help = format!("there is {}: write for instance {example}", suggest::list(&names));
+            return Err(finding.help(help));
         }
     };
     Ok(plain(InputValue::NodeOutput { node, output: name.clone() }, ty.clone(), unit.clone()))

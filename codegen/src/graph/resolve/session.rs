@@ -297,7 +297,7 @@ pub(in crate::graph) fn file_error<'a>(
     };
     let mut finding = Diagnostic::error(code, span, message);
     finding.help = help;
-    finding.into()
+    finding
 }
 
 fn near_file<'a>(files: &dyn Files, others: impl Iterator<Item = &'a str>, path: &str) -> Option<String> {
