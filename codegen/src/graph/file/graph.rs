@@ -1,9 +1,10 @@
 //! Surfaces, instances and masks as they are written.
 
 use super::expr::{self, Expr};
+use super::port::{INPUT_KINDS, PARAMETER_KINDS, PortEntry, port};
+use super::texture::{TextureEntry, texture};
 use super::{Entry, FileRole, Named};
 use crate::diagnostic::{Diagnostic, Span};
-use crate::graph::model::{ColorSpace, Filter, Wrap};
 use crate::graph::syntax::{Field, Fields, Number, Shape};
 use crate::graph::{codes, limits, names, suggest};
 
@@ -20,71 +21,6 @@ pub(crate) struct GraphFile {
     pub(crate) allow: Vec<Named>,
     /// Where to point at when an output is missing.
     pub(crate) outputs_place: Span,
-}
-
-/// A parameter of a surface or an input of an instance.
-#[derive(Clone, Debug)]
-pub(crate) struct PortEntry {
-    pub(crate) doc: String,
-    pub(crate) kind: PortKind,
-    pub(crate) unit: Option<String>,
-    pub(crate) range: Option<(f32, f32)>,
-    pub(crate) default: Option<Expr>,
-}
-
-/// `kind:` of a parameter or an input.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum PortKind {
-    Number,
-    Vec2,
-    Vec3,
-    Vec4,
-    Color,
-    I32,
-    U32,
-    Place,
-    Coord,
-    Texture,
-}
-
-/// Every kind of a parameter, with its name in files; the rest is for inputs only.
-const PARAMETER_KINDS: [(&str, PortKind); 5] = [
-    ("number", PortKind::Number),
-    ("vec2", PortKind::Vec2),
-    ("vec3", PortKind::Vec3),
-    ("vec4", PortKind::Vec4),
-    ("color", PortKind::Color),
-];
-
-const INPUT_KINDS: [(&str, PortKind); 10] = [
-    PARAMETER_KINDS[0],
-    PARAMETER_KINDS[1],
-    PARAMETER_KINDS[2],
-    PARAMETER_KINDS[3],
-    PARAMETER_KINDS[4],
-    ("i32", PortKind::I32),
-    ("u32", PortKind::U32),
-    ("place", PortKind::Place),
-    ("coord", PortKind::Coord),
-    ("texture", PortKind::Texture),
-];
-
-/// One texture, or a set of them by naming pattern.
-#[derive(Clone, Debug)]
-pub(crate) struct TextureEntry {
-    pub(crate) files: TextureFiles,
-    pub(crate) wrap: Wrap,
-    pub(crate) filter: Filter,
-    pub(crate) anisotropy: u8,
-}
-
-/// Where the images are.
-#[derive(Clone, Debug)]
-pub(crate) enum TextureFiles {
-    /// `file:`, with how to read it.
-    One { file: Named, color: ColorSpace, channel: Option<(u8, Span)> },
-    /// `set:`, the path up to `_albedo.png`.
-    Set(Named),
 }
 
 /// A call.
@@ -151,54 +87,6 @@ fn check_name(name: &str, span: Span, findings: &mut Vec<Diagnostic>) {
             "lower case letters, digits and single `_`, beginning with a letter; not a word of RON such as `true`",
         ));
     }
-}
-
-fn port(field: Field<'_>, kinds: &[(&str, PortKind)], findings: &mut Vec<Diagnostic>) -> Option<PortEntry> {
-    let what = if kinds.len() == PARAMETER_KINDS.len() { "a parameter" } else { "an input" };
-    let mut fields = Fields::open(field.raw, what, findings)?;
-    let doc = fields.take("doc").and_then(|field| field.text(findings)).unwrap_or_default();
-    let kind = fields.take("kind").map(|field| field.choice(kinds, findings));
-    let unit = fields.take("unit").and_then(|field| field.text(findings));
-    let range = fields.take("range").and_then(|field| field.range(f32::MIN, f32::MAX, findings));
-    let default = if what == "a parameter" { fields.need("default", findings) } else { fields.take("default") };
-    let default = default.map(|field| expr::read(field, findings));
-    fields.close(findings);
-    let kind = kind.unwrap_or(Some(PortKind::Number))?;
-    if what == "a parameter" && default.is_none() {
-        return None;
-    }
-    // An unreadable default is reported; a port without one would demand a wire.
-    let default = match default {
-        Some(expr) => Some(expr?),
-        None => None,
-    };
-    Some(PortEntry { doc, kind, unit, range, default })
-}
-
-fn texture(field: Field<'_>, findings: &mut Vec<Diagnostic>) -> Option<TextureEntry> {
-    let mut fields = Fields::open(field.raw, "a texture", findings)?;
-    let colors = [("srgb", ColorSpace::Srgb), ("linear", ColorSpace::Linear)];
-    let channels = [("r", 0), ("g", 1), ("b", 2), ("a", 3)];
-    let wraps = [("repeat", Wrap::Repeat), ("clamp", Wrap::Clamp), ("mirror", Wrap::Mirror)];
-    let filters = [("linear", Filter::Linear), ("nearest", Filter::Nearest)];
-    let wrap = fields.take("wrap").map_or(Some(Wrap::Repeat), |field| field.choice(&wraps, findings));
-    let filter = fields.take("filter").map_or(Some(Filter::Linear), |field| field.choice(&filters, findings));
-    let anisotropy = fields.take("anisotropy").map_or(Some(1), |field| field.whole(1, 16, findings));
-    let set = fields.take("set");
-    fields.what = if set.is_some() { "a set of textures" } else { fields.what };
-    let files = if let Some(set) = set {
-        set.text(findings).map(|path| TextureFiles::Set(Named::new(&path, set.raw.span())))
-    } else {
-        let file = fields.need("file", findings);
-        let file = file.and_then(|field| Some(Named::new(&field.text(findings)?, field.raw.span())));
-        let color = fields.need("color", findings).and_then(|field| field.choice(&colors, findings));
-        let channel = fields.take("channel").map(|field| Some((field.choice(&channels, findings)?, field.raw.span())));
-        // Unreadable is not the same as absent.
-        let channel = channel.map_or(Some(None), |found| found.map(Some));
-        file.zip(color).zip(channel).map(|((file, color), channel)| TextureFiles::One { file, color, channel })
-    };
-    fields.close(findings);
-    Some(TextureEntry { files: files?, wrap: wrap?, filter: filter?, anisotropy: anisotropy? as u8 })
 }
 
 fn nodes(field: Option<Field<'_>>, findings: &mut Vec<Diagnostic>) -> Vec<Entry<NodeEntry>> {

@@ -6,16 +6,20 @@ mod call;
 mod decode;
 mod expr;
 mod graph;
+mod port;
 mod project;
 mod scene;
 mod terrain;
+mod texture;
 
 pub(crate) use decode::{decode, role_of};
 pub(crate) use expr::{Expr, Value};
-pub(crate) use graph::*;
+pub(crate) use graph::{GraphFile, NodeEntry, ReliefEntry, unknown_output};
+pub(crate) use port::{PortEntry, PortKind};
 pub(crate) use project::{MadeEntry, ProjectFile};
 pub(crate) use scene::SceneFile;
 pub(crate) use terrain::{HeightEntry, LayerEntry, LayerMaskEntry, TerrainFile};
+pub(crate) use texture::{TextureEntry, TextureFiles};
 
 use crate::diagnostic::{SourceId, Span};
 

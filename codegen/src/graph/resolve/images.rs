@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::session::{bad_path, file_error};
+use super::fault::{bad_path, file_error};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::graph::file::Named;
 use crate::graph::files::{FileError, Files};

@@ -2,9 +2,12 @@
 
 mod access;
 mod call;
+mod channel;
+mod fault;
 mod fit;
 mod graph;
 mod images;
+mod instances;
 mod layer;
 mod order;
 mod output;
@@ -17,4 +20,5 @@ mod texture;
 mod unused;
 mod wire;
 
-pub(super) use session::{Session, Texts, bad_path, file_error};
+pub(super) use fault::{bad_path, file_error};
+pub(super) use session::{Session, Texts};

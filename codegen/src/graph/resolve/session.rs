@@ -2,18 +2,17 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::graph::{self, Instances, World};
+use super::fault::{bad_path, file_error};
+use super::graph::{self, World};
 use super::images::Images;
+use super::instances;
 use crate::diagnostic::{Diagnostic, SourceId, Sources, Span};
 use crate::graph::file::{Content, Document, FileRole, GraphFile, Named, decode};
-use crate::graph::files::{FileError, Files};
+use crate::graph::files::Files;
 use crate::graph::image::ImageHeader;
 use crate::graph::model::{Callee, GraphId, Graphs, Role};
-use crate::graph::{codes, limits, path, suggest};
+use crate::graph::{codes, limits, path};
 use crate::library::Library;
-
-/// Where instances live.
-const INSTANCES: &str = "graphs/instances";
 
 /// Which of the sources are which files.
 #[derive(Debug, Default)]
@@ -26,12 +25,12 @@ pub(in crate::graph) struct Texts {
 
 /// Everything found so far.
 pub(in crate::graph) struct Session<'p> {
-    library: &'p Library,
+    pub(super) library: &'p Library,
     files: &'p dyn Files,
     made: &'p BTreeMap<String, ImageHeader>,
     sources: &'p mut Sources,
     texts: &'p mut Texts,
-    known_instances: Vec<String>,
+    pub(super) known_instances: Vec<String>,
     pub(in crate::graph) findings: Vec<Diagnostic>,
     pub(in crate::graph) graphs: Graphs,
     /// By path; `None` for a file that is wrong.
@@ -39,7 +38,7 @@ pub(in crate::graph) struct Session<'p> {
     /// How many nodes a graph has once every instance is copied to each of its calls.
     expanded: Vec<usize>,
     /// The files that are being resolved, outermost first, with the place that asked for the next one.
-    chain: Vec<(String, String, Span)>,
+    pub(super) chain: Vec<(String, String, Span)>,
     visited: BTreeSet<String>,
 }
 
@@ -52,7 +51,7 @@ impl<'p> Session<'p> {
         sources: &'p mut Sources,
         texts: &'p mut Texts,
     ) -> Self {
-        let names = files.list(INSTANCES);
+        let names = files.list(instances::FOLDER);
         let known_instances = names.iter().filter_map(|name| name.strip_suffix(".ron")).map(str::to_owned).collect();
         Self {
             library,
@@ -154,7 +153,7 @@ impl<'p> Session<'p> {
         self.graph_at(&path, role, file.span)
     }
 
-    fn graph_at(&mut self, path: &str, role: Role, from: Span) -> Option<GraphId> {
+    pub(super) fn graph_at(&mut self, path: &str, role: Role, from: Span) -> Option<GraphId> {
         if let Some((found, id)) = self.ids.get(path) {
             let (found, id) = (*found, *id);
             if found != role {
@@ -194,60 +193,6 @@ impl<'p> Session<'p> {
         Some(GraphId(self.graphs.graphs.len() - 1))
     }
 
-    /// Resolves every instance that a file calls, in the order of their names.
-    fn instances(&mut self, document: &Document, file: &GraphFile) -> Instances {
-        let calls = file.nodes.iter().filter_map(|node| node.value.as_ref());
-        let mut kinds: BTreeMap<&str, Span> = BTreeMap::new();
-        for call in calls.filter(|call| self.known_instances.contains(&call.kind.name)) {
-            kinds.entry(&call.kind.name).or_insert(call.kind.span);
-        }
-        let mut instances = Instances::new();
-        for (kind, span) in kinds {
-            let path = format!("{INSTANCES}/{kind}.ron");
-            self.chain.push((document.path.clone(), document.name.clone(), span));
-            let id = self.instance(kind, &path, span);
-            self.chain.pop();
-            instances.insert(kind.to_owned(), id);
-        }
-        instances
-    }
-
-    fn instance(&mut self, kind: &str, path: &str, span: Span) -> Option<GraphId> {
-        if self.library.kinds.contains_key(kind) {
-            let message = format!("`{kind}` is a node kind, and `{path}` is an instance of the same name");
-            let finding = Diagnostic::error(codes::KIND_CLASH, span, message);
-            self.findings.push(finding.help("rename the file: its stem is the name that graphs call"));
-            return None;
-        }
-        if let Some(first) = self.chain.iter().position(|(file, ..)| file == path) {
-            self.instance_cycle(first);
-            return None;
-        }
-        if self.chain.len() > limits::INCLUDE_DEPTH {
-            let message = format!("instances are nested more than {} deep", limits::INCLUDE_DEPTH);
-            self.findings.push(Diagnostic::error(codes::LIMIT, span, message));
-            return None;
-        }
-        self.graph_at(path, Role::Instance, span)
-    }
-
-    fn instance_cycle(&mut self, first: usize) {
-        let mut ring = self.chain[first..].to_vec();
-        // The same cycle reads the same, whichever file was looked at first.
-        let smallest = (0..ring.len()).min_by_key(|step| ring[*step].1.clone()).unwrap_or(0);
-        ring.rotate_left(smallest);
-        let names: Vec<String> = ring.iter().chain(&ring[..1]).map(|(_, name, _)| format!("`{name}`")).collect();
-        let message = match ring.as_slice() {
-            [(_, name, _)] => format!("instance `{name}` calls itself"),
-            _ => format!("cycle of instances: {}", names.join(" -> ")),
-        };
-        let step = |index: usize| (ring[index].2, format!("{} calls {}", names[index], names[index + 1]));
-        let (span, text) = step(0);
-        let finding = Diagnostic::error(codes::CYCLE, span, message).label(text);
-        let finding = (1..ring.len()).map(step).fold(finding, |finding, (span, text)| finding.also(span, text));
-        self.findings.push(finding.help("an instance is copied to each of its calls: it cannot contain itself"));
-    }
-
     /// Nodes of a graph once every instance is copied to each of its calls.
     pub(super) fn expanded(&self, id: GraphId) -> usize {
         self.expanded[id.0]
@@ -264,57 +209,4 @@ fn file_role(role: Role) -> FileRole {
 
 fn words(role: Role) -> &'static str {
     file_role(role).words()
-}
-
-/// A path that cannot be one.
-pub(in crate::graph) fn bad_path(path: &str, why: &str, span: Span) -> Diagnostic {
-    let shown: String = path.chars().take(200).flat_map(char::escape_debug).collect();
-    Diagnostic::error(codes::ESCAPING_PATH, span, format!("the path `{shown}` {why}"))
-        .help("paths begin at the folder of `terrane.ron` and stay under it")
-}
-
-/// A file that cannot be had; `others` are names that would do although no folder lists them.
-pub(in crate::graph) fn file_error<'a>(
-    files: &dyn Files,
-    others: impl Iterator<Item = &'a str>,
-    path: &str,
-    error: &FileError,
-    span: Span,
-) -> Diagnostic {
-    let (code, message, help) = match error {
-        FileError::Missing => {
-            (codes::MISSING_FILE, format!("there is no file `{path}`"), near_file(files, others, path))
-        }
-        FileError::Escapes => {
-            let help = "a link on the way points outside the folder of `terrane.ron`".to_owned();
-            (codes::ESCAPING_PATH, format!("`{path}` leaves the project"), Some(help))
-        }
-        FileError::TooLarge(bytes) => {
-            let limit = limits::FILE_BYTES >> 20;
-            (codes::LIMIT, format!("`{path}` has {bytes} bytes, the limit is {limit} MiB"), None)
-        }
-        FileError::Unreadable(why) => (codes::UNREADABLE_FILE, format!("`{path}` cannot be read: {why}"), None),
-    };
-    let mut finding = Diagnostic::error(code, span, message);
-    finding.help = help;
-    finding
-}
-
-fn near_file<'a>(files: &dyn Files, others: impl Iterator<Item = &'a str>, path: &str) -> Option<String> {
-    let (folder, name) = path::split(path);
-    let listed: Vec<String> = files.list(folder).into_iter().filter(|name| !name.ends_with('/')).collect();
-    let made = others.map(path::split).filter(|(made, _)| *made == folder).map(|(_, name)| name);
-    let known: Vec<&str> = listed.iter().map(String::as_str).chain(made).collect();
-    let join = |name: &str| if folder.is_empty() { name.to_owned() } else { format!("{folder}/{name}") };
-    if let Some(near) = suggest::nearest(name, known.iter().copied()) {
-        return Some(format!("did you mean `{}`?", join(near)));
-    }
-    if known.is_empty() {
-        return (!folder.is_empty()).then(|| format!("there is no folder `{folder}`"));
-    }
-    let extension = name.rsplit_once('.').map(|(_, extension)| extension)?;
-    let mut alike: Vec<&str> = known.into_iter().filter(|name| name.ends_with(extension)).collect();
-    alike.sort_unstable();
-    alike.dedup();
-    (!alike.is_empty()).then(|| format!("`{folder}` holds {}", suggest::list(&alike)))
 }

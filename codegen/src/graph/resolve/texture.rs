@@ -4,10 +4,10 @@
 //! makes: `textures/granite_albedo.png` becomes `granite_albedo`, and so on, each with the colour space and channel of
 //! its role. At least one must exist.
 
+use super::fault::bad_path;
 use super::images::Images;
 use super::port::sorted;
 use super::scope::{Scope, Target};
-use super::session::bad_path;
 use crate::diagnostic::{Diagnostic, Span};
 use crate::graph::file::{Entry, Named, TextureEntry, TextureFiles};
 use crate::graph::image::ImageHeader;

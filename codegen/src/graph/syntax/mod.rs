@@ -8,11 +8,13 @@
 mod bracket;
 mod error;
 mod field;
+mod fields;
 mod number;
 mod raw;
 mod shape;
 
-pub(crate) use field::{Field, Fields, within};
+pub(crate) use field::{Field, within};
+pub(crate) use fields::Fields;
 pub(crate) use number::{Number, to_f32, to_i32, to_u32};
 pub(crate) use raw::Raw;
 pub(crate) use shape::{Key, Shape};
