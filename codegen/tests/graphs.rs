@@ -5,7 +5,7 @@ mod support;
 use support::{base, project};
 use terrane_codegen::diagnostic::render;
 use terrane_codegen::graph::model::*;
-use terrane_codegen::graph::{Memory, Project};
+use terrane_codegen::graph::{ImageHeader, Memory, Project};
 use terrane_codegen::value::{Literal, Type};
 
 fn open(files: Memory) -> Project {
@@ -219,15 +219,26 @@ fn a_terrain_and_its_scene_are_resolved() {
 
 #[test]
 fn recipes_come_complete() {
-    let project = open(base());
-    let granite = project.made.iter().find(|made| made.path == "textures/granite").expect("it is in terrane.ron");
-    assert_eq!(
-        (granite.recipe.name, granite.arguments["size"], granite.arguments["seed"]),
-        ("cracked_rock", 128.0, 3.0)
-    );
-    assert_eq!(granite.arguments["cracks"], 0.6, "defaults are filled in");
-    let files: Vec<&str> = granite.files.iter().map(|(path, _)| path.as_str()).collect();
-    assert_eq!(files, ["textures/granite_height.png", "textures/granite_albedo.png"]);
+    let text = r#"Project(version: 1, made: {
+        "textures/rock": cracked_rock(size: 128, seed: 3),
+        "textures/hills.png": mountains(size: 64),
+    })"#;
+    let user = r#"Surface(version: 1,
+        textures: { "rock": (file: "textures/rock_albedo.png", color: srgb) },
+        nodes: { "a": texture(of: rock, uv: terrain_uv) },
+        outputs: ( albedo: "a.rgb" ))"#;
+    let mut project = open(base().with("terrane.ron", text).with("graphs/surfaces/tested.ron", user));
+    let [hills, rock] = &project.made[..] else { panic!("{:?}", project.made) };
+    assert_eq!((rock.recipe.name, rock.arguments["size"], rock.arguments["seed"]), ("cracked_rock", 128.0, 3.0));
+    let cracks = rock.recipe.arguments.iter().find(|argument| argument.name == "cracks").expect("it has one");
+    assert_eq!(rock.arguments["cracks"], cracks.default, "defaults are filled in");
+    let made = |path: &str| rock.files.iter().find(|(file, _)| file == path).map(|(_, header)| *header);
+    let header = |channels, depth| Some(ImageHeader { size: (128, 128), channels, depth });
+    assert_eq!((made("textures/rock_height.png"), made("textures/rock_albedo.png")), (header(1, 16), header(3, 8)));
+    let map = ("textures/hills.png".to_owned(), ImageHeader { size: (64, 64), channels: 1, depth: 16 });
+    assert!(hills.files.contains(&map), "{:?}", hills.files);
+    let (graphs, id, _) = project.surface("graphs/surfaces/tested.ron").expect("what will be made is not missing");
+    assert_eq!(graphs.graphs[id.0].textures[0].size, (128, 128));
 }
 
 #[test]
