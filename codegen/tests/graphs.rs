@@ -117,6 +117,20 @@ fn numbers_spread_over_vectors() {
 }
 
 #[test]
+fn exact_types_win_whatever_the_order_of_overloads() {
+    let graph = surface(
+        r#"Surface(version: 1,
+            nodes: { "a": tone(x: slope), "b": tone(x: 0.5), "c": tone(x: normal) },
+            outputs: ( mask: a, roughness: b, albedo: c ))"#,
+    );
+    let overload = |name| match node(&graph, name).callee {
+        Callee::Function { overload, .. } => overload,
+        Callee::Instance(_) => panic!("a kind of the library"),
+    };
+    assert_eq!((overload("a"), overload("b"), overload("c")), (1, 1, 0));
+}
+
+#[test]
 fn literals_take_the_type_of_their_port() {
     let graph = surface(
         r#"Surface(version: 1,
