@@ -24,7 +24,7 @@ pub fn make(arguments: &Arguments) -> Vec<Map> {
     let great = Dunes { distance: height * 9.0, height, angle: 0.45, seed };
     let small = Dunes { distance: height * 2.2, height: 0.16 * height, angle: 0.75, seed: seed ^ 0x5a };
     let swell = Noise::new(seed ^ 0x11, 2, 4);
-    let mut field = Field::build(n, |u, v| (0.5 + swell.fbm(u, v)) * 0.35 * relief);
+    let mut field = Field::build(n, |u, v| (0.5 + 0.8 * swell.fbm(u, v)) * 0.6 * relief);
     for dunes in [great, small] {
         field = field.zip(&dunes.crests(n, extent), |a, b| a + b);
     }
