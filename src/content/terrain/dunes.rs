@@ -39,7 +39,7 @@ pub fn make(arguments: &Arguments) -> Vec<Map> {
 fn maps(land: &Land, relief: f32) -> Vec<Map> {
     let heights = land.field();
     let low = heights.quantile(0.0);
-    let hollow = heights.above(60.0 / land.cell).map(|above| step(0.0, -12.0, above));
+    let hollow = heights.above(60.0 / land.cell).map(|above| step(1.0, -6.0, above));
     let slip = Field { size: land.size, data: land.steepness() }.map(|steep| step(0.45, 0.6, steep));
     vec![Map::grey16(&heights.map(|height| (height - low) / relief)), Map::grey8(&hollow), Map::grey8(&slip)]
 }
