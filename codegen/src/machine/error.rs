@@ -15,11 +15,20 @@ pub enum MachineError {
         /// The name asked for.
         name: String,
     },
-    /// The arguments do not have the types of the parameters.
-    Arguments {
+    /// Too many arguments, or too few.
+    Arity {
         /// The function that was called.
         function: String,
-        /// Which parameter, from 0; the number of parameters if there are too many arguments or too few.
+        /// How many parameters it has.
+        expected: usize,
+        /// How many arguments it got.
+        found: usize,
+    },
+    /// An argument does not have the type of its parameter, or not the right number of points.
+    Argument {
+        /// The function that was called.
+        function: String,
+        /// Which parameter, from 0.
         parameter: usize,
         /// What it wants.
         expected: String,
@@ -54,7 +63,10 @@ impl fmt::Display for MachineError {
         match self {
             Self::UnknownFunction { name } => write!(f, "there is no function `{name}`"),
             Self::UnknownGlobal { name } => write!(f, "there is no texture or sampler variable `{name}`"),
-            Self::Arguments { function, parameter, expected, found } => {
+            Self::Arity { function, expected, found } => {
+                write!(f, "`{function}` takes {expected} arguments, not {found}")
+            }
+            Self::Argument { function, parameter, expected, found } => {
                 write!(f, "parameter {parameter} of `{function}` is {expected}, the argument is {found}")
             }
             Self::Unsupported { function, construct } => write!(f, "`{function}` uses {construct}: not supported"),

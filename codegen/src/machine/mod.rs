@@ -19,6 +19,7 @@ mod compile;
 mod count;
 pub mod domain;
 mod error;
+mod image;
 mod program;
 mod run;
 mod texture;
@@ -28,11 +29,12 @@ use naga::Module;
 use naga::valid::ModuleInfo;
 
 pub use self::count::Counts;
-pub use self::domain::{Domain, F32, F64};
+pub use self::domain::{Accept, Domain, F32, F64};
 pub use self::error::MachineError;
+pub use self::image::{Image, Images, Sampler, Wrap};
 use self::program::Program;
 use self::run::Run;
-pub use self::texture::{Count, Footprint, Load, NoTextures, Sample, Textures};
+pub use self::texture::{Count, Footprint, Load, NoTextures, Region, Sample, Textures, Within};
 pub use self::value::{Component, Value};
 
 /// A module, ready to be called in any domain.
@@ -65,13 +67,18 @@ impl<'a> Machine<'a> {
             globals,
             textures,
             iteration_limit: 1 << 16,
-            chunk: 256,
+            chunk: 512,
         }
     }
 
     /// How often a loop may turn before it counts as endless; 65536 unless set.
     pub fn set_iteration_limit(&mut self, limit: u32) {
         self.iteration_limit = limit;
+    }
+
+    /// How many points each instruction works on at a time; 512 unless set. Results do not depend on it.
+    pub fn set_chunk(&mut self, points: usize) {
+        self.chunk = points.max(1);
     }
 
     /// Gives a texture or sampler variable the host's id; 0 unless set.
@@ -123,15 +130,18 @@ impl<'a> Machine<'a> {
 
 /// Whether the arguments have the types of the parameters, and one scalar for each point or for all.
 fn check<D: Domain>(program: &Program, arguments: &[Value<D>], points: usize) -> Result<(), MachineError> {
-    let wrong = |parameter, expected: String, found: String| MachineError::Arguments {
+    let wrong = |parameter, expected: String, found: String| MachineError::Argument {
         function: program.name.clone(),
         parameter,
         expected,
         found,
     };
     if arguments.len() != program.parameters.len() {
-        let parameters = program.parameters.len();
-        return Err(wrong(parameters, format!("one of {parameters}"), format!("one of {}", arguments.len())));
+        return Err(MachineError::Arity {
+            function: program.name.clone(),
+            expected: program.parameters.len(),
+            found: arguments.len(),
+        });
     }
     for (i, (argument, parameter)) in arguments.iter().zip(&program.parameters).enumerate() {
         let expected: Vec<&str> = parameter.iter().map(|register| register.bank.family()).collect();

@@ -45,23 +45,47 @@ pub(super) struct Program {
     pub(super) parameters: Vec<Vec<Register>>,
     /// The scalars of the result.
     pub(super) results: Vec<Register>,
+    /// The pointees of pointer parameters: what the caller sees of the call beside the result.
+    pub(super) outliving: Vec<Register>,
     pub(super) body: Vec<Step>,
 }
 
-/// Something that depends on, or changes, which lanes execute or what variables hold.
+/// Something that depends on, or changes, which lanes execute or what variables hold. `stored` lists the variables that
+/// nested steps store to.
 #[derive(Clone, Debug)]
 pub(super) enum Step {
     Compute(Vec<Instruction>),
     Store { to: Vec<Register>, from: Vec<Register> },
     StoreElement { to: Element, from: Vec<Register> },
     Block(Vec<Step>),
-    If { condition: u32, accept: Vec<Step>, reject: Vec<Step> },
-    Switch { selector: u32, cases: Vec<Case> },
-    Loop { body: Vec<Step>, continuing: Vec<Step>, break_if: Option<u32> },
+    If { condition: u32, accept: Vec<Step>, reject: Vec<Step>, stored: Vec<Register> },
+    Switch { selector: u32, cases: Vec<Case>, stored: Vec<Register> },
+    Loop { body: Vec<Step>, continuing: Vec<Step>, break_if: Option<u32>, stored: Vec<Register> },
     Break,
     Continue,
     Return { values: Vec<Register> },
     Call(Call),
+}
+
+impl Step {
+    /// The variables that steps store to, each once.
+    pub(super) fn stored(steps: &[Self]) -> Vec<Register> {
+        let mut all = Vec::new();
+        steps.iter().for_each(|step| step.collect_stored(&mut all));
+        all.sort_unstable_by_key(|register| (register.bank as u8, register.index));
+        all.dedup();
+        all
+    }
+
+    fn collect_stored(&self, out: &mut Vec<Register>) {
+        match self {
+            Self::Store { to, .. } => out.extend(to),
+            Self::StoreElement { to, .. } => out.extend(&to.table),
+            Self::Block(steps) => steps.iter().for_each(|step| step.collect_stored(out)),
+            Self::If { stored, .. } | Self::Switch { stored, .. } | Self::Loop { stored, .. } => out.extend(stored),
+            Self::Compute(_) | Self::Break | Self::Continue | Self::Return { .. } | Self::Call(_) => {}
+        }
+    }
 }
 
 /// A case of a switch.
@@ -127,7 +151,7 @@ pub(super) enum Instruction {
     Element { bank: Bank, to: u32, from: Element },
     Sample(Sample),
     Load(Load),
-    Size { to: Vec<u32>, texture: u32, level: Option<u32> },
+    Size { to: [u32; 2], texture: u32, level: Option<u32> },
     Layers { to: u32, texture: u32 },
     Levels { to: u32, texture: u32 },
 }

@@ -11,6 +11,19 @@ pub trait Textures: Sync {
     /// Width and height of a mip level in texels, `None` if there is no such texture.
     fn size(&self, texture: u32, level: u32) -> Option<[u32; 2]>;
 
+    /// The bounds of all values that a sample may have whose coordinates are known up to ranges, whatever the filter's
+    /// weights and its choice of levels; `None` if there is no such texture.
+    ///
+    /// Only [`Accept`](super::domain::Accept) asks. The default knows nothing.
+    fn region(&self, region: &Region) -> Option<[Within; 4]> {
+        self.whole(region.texture)
+    }
+
+    /// The bounds of all texels; `None` if there is no such texture. The default knows nothing.
+    fn whole(&self, texture: u32) -> Option<[Within; 4]> {
+        self.count(texture).map(|_| [Within { low: f64::NEG_INFINITY, high: f64::INFINITY }; 4])
+    }
+
     /// How many array layers and mip levels, `None` if there is no such texture.
     fn count(&self, texture: u32) -> Option<Count>;
 }
@@ -26,46 +39,72 @@ pub struct Count {
 
 /// `textureSampleLevel` or `textureSampleGrad` at one point.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sample {
+pub struct Sample<F = f64, I = i32> {
     /// The host's id.
     pub texture: u32,
     /// The host's id.
     pub sampler: u32,
     /// Array layer; 0 for plain textures. To be clamped by the host.
-    pub layer: i32,
+    pub layer: I,
     /// Texture coordinates; 0..1 is the texture.
-    pub uv: [f64; 2],
+    pub uv: [F; 2],
     /// Added to the texel coordinates.
     pub offset: [i32; 2],
     /// How wide the sample is.
-    pub footprint: Footprint,
+    pub footprint: Footprint<F>,
 }
 
 /// How wide a sample is.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Footprint {
+pub enum Footprint<F = f64> {
     /// A mip level, 0 the finest.
-    Level(f64),
+    Level(F),
     /// Change of the coordinates per pixel.
     Gradient {
         /// To the right.
-        ddx: [f64; 2],
+        ddx: [F; 2],
         /// Down.
-        ddy: [f64; 2],
+        ddy: [F; 2],
     },
 }
 
 /// `textureLoad` at one point.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Load {
+pub struct Load<I = i32> {
     /// The host's id.
     pub texture: u32,
     /// Column and row.
-    pub at: [i32; 2],
+    pub at: [I; 2],
     /// Array layer; 0 for plain textures.
-    pub layer: i32,
+    pub layer: I,
     /// Mip level.
-    pub level: i32,
+    pub level: I,
+}
+
+/// A range of numbers, in order.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Within {
+    /// The smallest.
+    pub low: f64,
+    /// The largest.
+    pub high: f64,
+}
+
+/// Samples with coordinates in ranges.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Region {
+    /// The host's id.
+    pub texture: u32,
+    /// The host's id.
+    pub sampler: u32,
+    /// The first and the last array layer. To be clamped by the host.
+    pub layers: (i32, i32),
+    /// Texture coordinates; 0..1 is the texture.
+    pub uv: [Within; 2],
+    /// Added to the texel coordinates.
+    pub offset: [i32; 2],
+    /// How wide the samples are.
+    pub footprint: Footprint<Within>,
 }
 
 /// No textures at all: for functions that read none.

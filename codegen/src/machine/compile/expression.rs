@@ -31,6 +31,9 @@ impl Compiler<'_> {
                 return Ok(Known::Pointer(Pointer::whole(self.variables[variable.index()].clone())));
             }
             Expression::Load { pointer } => match self.known(*pointer)?.clone() {
+                Known::Pointer(pointer) if self.steady[handle.index()] && pointer.terms.is_empty() => {
+                    pointer.registers().to_vec()
+                }
                 Known::Pointer(pointer) => self.load(&pointer)?,
                 Known::Value(_) => return self.unsupported("a load from a value"),
             },

@@ -76,7 +76,8 @@ impl Compiler<'_> {
     pub(super) fn determinant(&mut self, argument: Handle<Expression>) -> Result<Vec<Register>> {
         let Some(matrix) = self.matrix(argument)? else { return self.unsupported("the determinant of no matrix") };
         let columns: Vec<Vec<u32>> = (0..matrix.columns()).map(|column| matrix.column(column).to_vec()).collect();
-        let result = self.minor(&columns);
+        let value = self.minor(&columns);
+        let result = self.float_unary(FloatUnary::Unspecified, value);
         Ok(registers(Bank::Float, [result]))
     }
 

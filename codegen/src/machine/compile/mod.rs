@@ -9,8 +9,10 @@ mod convert;
 mod emit;
 mod expression;
 mod geometry;
+mod lifetime;
 mod maths;
 mod matrix;
+mod operand;
 mod shape;
 mod statement;
 mod texture;
@@ -34,6 +36,8 @@ pub(super) struct Compiler<'a> {
     /// What each expression has become, once it is emitted.
     known: Vec<Option<Known>>,
     variables: Vec<Vec<Register>>,
+    /// Loads that need no copy, by expression.
+    steady: Vec<bool>,
     constants: BTreeMap<(u8, u32), Register>,
     /// Instructions since the last step.
     pending: Vec<Instruction>,
@@ -77,6 +81,7 @@ pub(super) fn compile(
         program: Program { name: function.name.clone().unwrap_or_default(), ..Program::default() },
         known: vec![None; function.expressions.len()],
         variables: Vec::new(),
+        steady: lifetime::steady_loads(function),
         constants: BTreeMap::new(),
         pending: Vec::new(),
     };
@@ -95,6 +100,9 @@ impl Compiler<'_> {
                 _ => argument.ty,
             };
             let registers = self.allocate_type(&self.module.types[ty].inner)?;
+            if ty != argument.ty {
+                self.program.outliving.extend(&registers);
+            }
             self.program.parameters.push(registers);
         }
         if let Some(result) = &self.function.result {

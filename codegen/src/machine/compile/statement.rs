@@ -76,18 +76,23 @@ impl Compiler<'_> {
             Statement::If { condition, accept, reject } => {
                 let condition = self.scalar(*condition)?;
                 self.flush(steps);
-                Step::If { condition, accept: self.block(accept)?, reject: self.block(reject)? }
+                let (accept, reject) = (self.block(accept)?, self.block(reject)?);
+                let stored = both(Step::stored(&accept), Step::stored(&reject));
+                Step::If { condition, accept, reject, stored }
             }
             Statement::Switch { selector, cases } => {
                 let selector = self.scalar(*selector)?;
                 self.flush(steps);
-                Step::Switch { selector, cases: self.cases(cases)? }
+                let cases = self.cases(cases)?;
+                let stored = cases.iter().map(|case| Step::stored(&case.body)).fold(Vec::new(), both);
+                Step::Switch { selector, cases, stored }
             }
             Statement::Loop { body, continuing, break_if } => {
                 self.flush(steps);
                 let (body, continuing) = (self.block(body)?, self.block(continuing)?);
                 let break_if = break_if.map(|condition| self.scalar(condition)).transpose()?;
-                Step::Loop { body, continuing, break_if }
+                let stored = both(Step::stored(&body), Step::stored(&continuing));
+                Step::Loop { body, continuing, break_if, stored }
             }
             Statement::Break => Step::Break,
             Statement::Continue => Step::Continue,
@@ -161,6 +166,13 @@ impl Compiler<'_> {
         let call = Call { function: function.index(), arguments: registers, results, returned };
         Ok(std::iter::once(Step::Call(call)).chain(stores).collect())
     }
+}
+
+/// The registers of both lists.
+fn both(mut a: Vec<Register>, b: Vec<Register>) -> Vec<Register> {
+    let new: Vec<Register> = b.into_iter().filter(|register| !a.contains(register)).collect();
+    a.extend(new);
+    a
 }
 
 fn store(pointer: &Pointer, from: Vec<Register>) -> Step {

@@ -82,16 +82,21 @@ impl Compiler<'_> {
     pub(super) fn image_query(&mut self, image: Handle<Expression>, query: ImageQuery) -> Result<Vec<Register>> {
         self.plane(image)?;
         let texture = self.scalar(image)?;
-        let to: Vec<u32> = (0..if matches!(query, ImageQuery::Size { .. }) { 2 } else { 1 })
-            .map(|_| self.allocate(Bank::Int).index)
-            .collect();
-        let instruction = match query {
+        let mut int = || self.allocate(Bank::Int).index;
+        let (instruction, to) = match query {
             ImageQuery::Size { level } => {
+                let to = [int(), int()];
                 let level = level.map(|level| self.scalar(level)).transpose()?;
-                Instruction::Size { to: to.clone(), texture, level }
+                (Instruction::Size { to, texture, level }, to.to_vec())
             }
-            ImageQuery::NumLayers => Instruction::Layers { to: to[0], texture },
-            ImageQuery::NumLevels => Instruction::Levels { to: to[0], texture },
+            ImageQuery::NumLayers => {
+                let to = int();
+                (Instruction::Layers { to, texture }, vec![to])
+            }
+            ImageQuery::NumLevels => {
+                let to = int();
+                (Instruction::Levels { to, texture }, vec![to])
+            }
             ImageQuery::NumSamples => return self.unsupported("a multisampled texture"),
         };
         self.pending.push(instruction);

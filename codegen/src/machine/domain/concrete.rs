@@ -1,5 +1,8 @@
 //! What the concrete domains share: integers are `u32`, conditions are `bool`, and all of them are known.
 
+use super::Domain;
+use crate::machine::texture::{Footprint, Load, Sample, Textures};
+
 /// The methods of [`Domain`](super::Domain) that do not depend on the float.
 macro_rules! concrete {
     () => {
@@ -72,10 +75,56 @@ macro_rules! concrete {
         fn known(x: u32) -> Option<u32> {
             Some(x)
         }
+        fn candidates(x: u32) -> Option<Vec<u32>> {
+            Some(vec![x])
+        }
+        fn sample(textures: &dyn Textures, sample: &Sample<Self::Float, u32>) -> Option<[Self::Float; 4]> {
+            super::concrete::sample::<Self>(textures, sample)
+        }
+        fn load(textures: &dyn Textures, load: &Load<u32>) -> Option<[Self::Float; 4]> {
+            let texel = super::concrete::load(textures, load)?;
+            Some(texel.map(<Self as super::concrete::Real>::measured))
+        }
+        fn load_int(textures: &dyn Textures, load: &Load<u32>) -> Option<[u32; 4]> {
+            let texel = super::concrete::load(textures, load)?;
+            Some(texel.map(|value| value as i64 as u32))
+        }
     };
 }
 
 pub(super) use concrete;
+
+/// A domain whose floats are numbers.
+pub(super) trait Real: Domain<Int = u32> {
+    /// The number, for the host.
+    fn wide(x: Self::Float) -> f64;
+    /// A number from the host.
+    fn measured(value: f64) -> Self::Float;
+}
+
+pub(super) fn sample<D: Real>(textures: &dyn Textures, sample: &Sample<D::Float, u32>) -> Option<[D::Float; 4]> {
+    let request = Sample {
+        texture: sample.texture,
+        sampler: sample.sampler,
+        layer: sample.layer as i32,
+        uv: sample.uv.map(D::wide),
+        offset: sample.offset,
+        footprint: match sample.footprint {
+            Footprint::Level(level) => Footprint::Level(D::wide(level)),
+            Footprint::Gradient { ddx, ddy } => Footprint::Gradient { ddx: ddx.map(D::wide), ddy: ddy.map(D::wide) },
+        },
+    };
+    Some(textures.sample(&request)?.map(D::measured))
+}
+
+pub(super) fn load(textures: &dyn Textures, load: &Load<u32>) -> Option<[f64; 4]> {
+    textures.load(&Load {
+        texture: load.texture,
+        at: load.at.map(|at| at as i32),
+        layer: load.layer as i32,
+        level: load.level as i32,
+    })
+}
 
 /// The largest floats that convert to an integer without leaving its range: WGSL clamps to them.
 pub(super) const I32_RANGE: (f32, f32) = (-2_147_483_648.0, 2_147_483_520.0);

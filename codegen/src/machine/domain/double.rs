@@ -1,10 +1,11 @@
 //! `f64` where the shader says `f32`: the reference that errors are measured against.
 
-use super::concrete::{I32_RANGE, U32_RANGE, concrete};
+use super::concrete::{I32_RANGE, Real, U32_RANGE, concrete};
 use super::{
     Domain, FloatBinary, FloatComparison, FloatTernary, FloatUnary, IntBinary, IntComparison, IntUnary, TruthBinary,
     half,
 };
+use crate::machine::texture::{Load, Sample, Textures};
 
 /// Every `f32` held in `f64`. Constants are the shader's, so a rounded pi stays rounded. Bit patterns are those of the
 /// nearest `f32`, and `quantizeToF16` rounds as ever, for their meaning is the rounding.
@@ -47,6 +48,7 @@ impl Domain for F64 {
             FloatUnary::InverseSqrt => 1.0 / x.sqrt(),
             FloatUnary::Radians => x.to_radians(),
             FloatUnary::Degrees => x.to_degrees(),
+            FloatUnary::Unspecified => x,
             FloatUnary::QuantizeToF16 => half::from_bits(half::to_bits(x)),
             FloatUnary::FrexpFraction => libm::frexp(x).0,
             _ => transcendental(op, x),
@@ -142,13 +144,13 @@ impl Domain for F64 {
     fn scale(x: f64, exponent: u32) -> f64 {
         libm::ldexp(x, exponent as i32)
     }
+}
 
-    #[inline(always)]
-    fn middle(x: f64) -> f64 {
+impl Real for F64 {
+    fn wide(x: f64) -> f64 {
         x
     }
 
-    #[inline(always)]
     fn measured(value: f64) -> f64 {
         value
     }
@@ -174,6 +176,8 @@ pub(super) fn transcendental(op: FloatUnary, x: f64) -> f64 {
         FloatUnary::Acos => libm::acos(x),
         FloatUnary::Atan => libm::atan(x),
         FloatUnary::Asinh => libm::asinh(x),
+        // `libm` answers outside the domain too.
+        FloatUnary::Acosh if x < 1.0 => f64::NAN,
         FloatUnary::Acosh => libm::acosh(x),
         FloatUnary::Atanh => libm::atanh(x),
         other => unreachable!("{other:?} is computed by its domain"),

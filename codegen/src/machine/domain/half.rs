@@ -35,14 +35,45 @@ pub(super) fn from_bits(bits: u32) -> f64 {
     sign * magnitude
 }
 
+/// The largest half float that is not above x.
+pub(super) fn down(x: f64) -> f64 {
+    let bits = to_bits(x);
+    let nearest = from_bits(bits);
+    if nearest <= x {
+        return nearest;
+    }
+    from_bits(match bits {
+        0 | 0x8000 => 0x8001,
+        0..0x8000 => bits - 1,
+        _ => bits + 1,
+    })
+}
+
+/// The smallest half float that is not below x.
+pub(super) fn up(x: f64) -> f64 {
+    -down(-x)
+}
+
+/// The largest finite one.
+pub(super) const LARGEST: f64 = 65504.0;
 /// 2^-14.
-const SMALLEST_NORMAL: f64 = 6.103_515_625e-5;
+pub(super) const SMALLEST_NORMAL: f64 = 6.103_515_625e-5;
 /// 2^-24.
 const SMALLEST_SUBNORMAL: f64 = 5.960_464_477_539_063e-8;
 
 #[cfg(test)]
 mod tests {
-    use super::{from_bits, to_bits};
+    use super::{down, from_bits, to_bits, up};
+
+    #[test]
+    fn neighbours_enclose() {
+        assert_eq!((down(1.0), up(1.0)), (1.0, 1.0));
+        assert_eq!((down(1.0001), up(1.0001)), (1.0, 1.0 + 1.0 / 1024.0));
+        assert_eq!((down(-1.0001), up(-1.0001)), (-1.0 - 1.0 / 1024.0, -1.0));
+        assert_eq!((down(65510.0), up(65510.0)), (65504.0, f64::INFINITY));
+        assert_eq!((down(1e-9), up(1e-9)), (0.0, super::SMALLEST_SUBNORMAL));
+        assert_eq!((down(-1e-9), up(-1e-9)), (-super::SMALLEST_SUBNORMAL, 0.0));
+    }
 
     #[test]
     fn every_half_float_survives_a_round_trip() {

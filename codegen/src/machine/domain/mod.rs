@@ -4,6 +4,7 @@
 //! The machine supplies the rest: lanes, masks, control flow, memory. A concrete domain decides every condition; an
 //! abstract one may leave it open ([`Domain::decide`] says `None`), and then both sides run and are joined.
 
+pub mod accept;
 mod concrete;
 mod double;
 mod half;
@@ -13,6 +14,7 @@ mod single;
 
 use std::fmt::Debug;
 
+pub use accept::Accept;
 pub use double::F64;
 pub use operation::{
     FloatBinary, FloatComparison, FloatTernary, FloatUnary, IntBinary, IntComparison, IntUnary, TruthBinary,
@@ -22,6 +24,8 @@ pub(crate) use operation::{
     each_int_comparison, each_int_unary, each_truth_binary,
 };
 pub use single::F32;
+
+use super::texture::{Load, Sample, Textures};
 
 /// What a lane of a domain must be.
 pub trait Cell: Copy + Default + Debug + PartialEq + Send + Sync + 'static {}
@@ -39,7 +43,7 @@ pub trait Domain: Copy + Debug + Send + Sync + 'static {
     /// Stands for a `bool`.
     type Truth: Cell;
 
-    /// Whether [`decide`](Self::decide) and [`known`](Self::known) always answer.
+    /// Whether [`decide`](Self::decide) always answers and [`known`](Self::known) does too.
     const DECIDED: bool;
 
     /// A constant of the shader.
@@ -98,10 +102,28 @@ pub trait Domain: Copy + Debug + Send + Sync + 'static {
 
     /// The truth of a condition, if the domain knows it.
     fn decide(condition: Self::Truth) -> Option<bool>;
-    /// The bits of an integer, if the domain knows them.
+    /// The value of an integer, if the domain knows it.
     fn known(x: Self::Int) -> Option<u32>;
-    /// The float that a texture coordinate has for the host.
-    fn middle(x: Self::Float) -> f64;
-    /// A number that the host's texture returned.
-    fn measured(value: f64) -> Self::Float;
+    /// The values that an integer may have, if they are few: at least one, ascending.
+    fn candidates(x: Self::Int) -> Option<Vec<u32>>;
+
+    /// A condition that is open. Asked of abstract domains only, as the next two.
+    fn undecided() -> Self::Truth {
+        Self::Truth::default()
+    }
+    /// A float of which nothing is known.
+    fn any_float() -> Self::Float {
+        Self::Float::default()
+    }
+    /// An integer of which nothing is known.
+    fn any_int() -> Self::Int {
+        Self::Int::default()
+    }
+
+    /// A filtered read; `None` if the host knows no such texture.
+    fn sample(textures: &dyn Textures, sample: &Sample<Self::Float, Self::Int>) -> Option<[Self::Float; 4]>;
+    /// A texel of a float texture; `None` if the host knows no such texture.
+    fn load(textures: &dyn Textures, load: &Load<Self::Int>) -> Option<[Self::Float; 4]>;
+    /// A texel of an integer texture; `None` if the host knows no such texture.
+    fn load_int(textures: &dyn Textures, load: &Load<Self::Int>) -> Option<[Self::Int; 4]>;
 }

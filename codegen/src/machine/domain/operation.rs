@@ -89,6 +89,8 @@ operations! { $
         Degrees,
         /// Rounded to a half float and back.
         QuantizeToF16,
+        /// x, of which WGSL does not say how accurate it is (a determinant).
+        Unspecified,
         /// The fraction of `frexp(x)`: 0, or of magnitude 0.5..1.
         FrexpFraction,
     }

@@ -1,10 +1,11 @@
 //! `f32`, as a shader computes it.
 
-use super::concrete::{I32_RANGE, U32_RANGE, concrete};
+use super::concrete::{I32_RANGE, Real, U32_RANGE, concrete};
 use super::{
     Domain, FloatBinary, FloatComparison, FloatTernary, FloatUnary, IntBinary, IntComparison, IntUnary, TruthBinary,
     half,
 };
+use crate::machine::texture::{Load, Sample, Textures};
 
 /// Every operation rounded to `f32`, to nearest; composite builtins by the formula in WGSL's accuracy table.
 ///
@@ -42,6 +43,7 @@ impl Domain for F32 {
             FloatUnary::InverseSqrt => (1.0 / f64::from(x).sqrt()) as f32,
             FloatUnary::Radians => x * (std::f32::consts::PI / 180.0),
             FloatUnary::Degrees => x * (180.0 / std::f32::consts::PI),
+            FloatUnary::Unspecified => x,
             FloatUnary::QuantizeToF16 => half::from_bits(half::to_bits(f64::from(x))) as f32,
             FloatUnary::FrexpFraction => libm::frexpf(x).0,
             _ => super::double::transcendental(op, f64::from(x)) as f32,
@@ -133,13 +135,13 @@ impl Domain for F32 {
     fn scale(x: f32, exponent: u32) -> f32 {
         libm::ldexpf(x, exponent as i32)
     }
+}
 
-    #[inline(always)]
-    fn middle(x: f32) -> f64 {
+impl Real for F32 {
+    fn wide(x: f32) -> f64 {
         f64::from(x)
     }
 
-    #[inline(always)]
     fn measured(value: f64) -> f32 {
         value as f32
     }

@@ -2,11 +2,12 @@
 
 use std::mem::take;
 
-use super::super::program::{Bank, Conversion, Element, Instruction};
+use super::super::program::{Bank, Conversion, Instruction};
 use super::Run;
 use super::active::Active;
 use super::frame::{Floats, Frame, InBank, Ints, Truths};
 use super::lane::{View, map1, map2, map3};
+use super::transfer::load_element;
 use crate::machine::domain::{
     Domain, FloatBinary, FloatComparison, FloatTernary, FloatUnary, IntBinary, IntComparison, IntUnary, TruthBinary,
     each_float_binary, each_float_comparison, each_float_ternary, each_float_unary, each_int_binary,
@@ -50,14 +51,14 @@ impl<D: Domain> Run<'_, D> {
                 frame.floats[*to as usize] = out;
             }
             Instruction::Element { bank, to, from } => match bank {
-                Bank::Float => element::<D, Floats>(frame, active, *to, from),
-                Bank::Int => element::<D, Ints>(frame, active, *to, from),
-                Bank::Truth => element::<D, Truths>(frame, active, *to, from),
+                Bank::Float => load_element::<D, Floats>(frame, active, *to, from),
+                Bank::Int => load_element::<D, Ints>(frame, active, *to, from),
+                Bank::Truth => load_element::<D, Truths>(frame, active, *to, from),
                 Bank::Handle => {}
             },
             Instruction::Sample(sample) => self.sample(frame, active, sample)?,
             Instruction::Load(load) => self.load(frame, active, load)?,
-            Instruction::Size { to, texture, level } => self.size(frame, active, to, *texture, *level)?,
+            Instruction::Size { to, texture, level } => self.size(frame, active, *to, *texture, *level)?,
             Instruction::Layers { to, texture } => self.layers(frame, *to, *texture)?,
             Instruction::Levels { to, texture } => self.levels(frame, *to, *texture)?,
         }
@@ -192,28 +193,4 @@ fn from_float<D: Domain>(frame: &mut Frame<D>, active: &Active, to: usize, x: u3
     let mut out = take(&mut frame.ints[to]);
     map1(active, frame.float(x), &mut out, f);
     frame.ints[to] = out;
-}
-
-fn element<D: Domain, B: InBank<D>>(frame: &mut Frame<D>, active: &Active, to: u32, from: &Element) {
-    let lanes = frame.lanes;
-    let mut out = take(&mut B::lanes_mut(frame)[to as usize]);
-    {
-        let out = out.overwrite(lanes);
-        active.each(|lane| {
-            let register = from.table[from.place(frame, lane)];
-            out[lane] = B::lanes(frame)[register.index as usize].view(lanes).at(lane);
-        });
-    }
-    B::lanes_mut(frame)[to as usize] = out;
-}
-
-impl Element {
-    /// The scalar's number in the table, for one lane.
-    pub(super) fn place<D: Domain>(&self, frame: &Frame<D>, lane: usize) -> usize {
-        let steps = self.terms.iter().map(|term| {
-            let index = D::known(frame.int(term.index).at(lane)).unwrap_or(0);
-            index.min(term.count - 1) * term.stride
-        });
-        (self.offset + steps.sum::<u32>()) as usize
-    }
 }

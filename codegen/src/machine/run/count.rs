@@ -63,6 +63,7 @@ fn is_arithmetic(op: FloatUnary) -> bool {
             | FloatUnary::Radians
             | FloatUnary::Degrees
             | FloatUnary::QuantizeToF16
+            | FloatUnary::Unspecified
             | FloatUnary::FrexpFraction
     )
 }

@@ -2,6 +2,7 @@
 
 use super::super::program::{Bank, Program, Register};
 use super::active::Active;
+use super::joined::Joined;
 use super::lane::{Lane, View};
 use crate::machine::domain::{Cell, Domain};
 
@@ -15,15 +16,36 @@ pub(super) struct Frame<D: Domain> {
     pub(super) truths: Vec<Lane<D::Truth>>,
     pub(super) handles: Vec<u32>,
     pub(super) lanes: usize,
-    pub(super) scopes: Vec<Scope>,
+    pub(super) scopes: Vec<Scope<D>>,
+    /// The variables that outlive the call, where it returns.
+    pub(super) at_return: Joined<D>,
+    /// Which lanes have a result already; for abstract domains.
+    pub(super) returned: Vec<bool>,
 }
 
 /// An enclosing loop or switch, and the lanes that wait for its end.
-#[derive(Debug, Default)]
-pub(super) struct Scope {
+#[derive(Debug)]
+pub(super) struct Scope<D: Domain> {
     pub(super) is_loop: bool,
     pub(super) broken: Vec<u32>,
     pub(super) continued: Vec<u32>,
+    /// The variables at `break`.
+    pub(super) at_break: Joined<D>,
+    /// The variables at `continue`.
+    pub(super) at_continue: Joined<D>,
+}
+
+impl<D: Domain> Scope<D> {
+    /// A loop or switch that stores to these variables.
+    pub(super) fn new(is_loop: bool, stored: &[Register], lanes: usize) -> Self {
+        Self {
+            is_loop,
+            broken: Vec::new(),
+            continued: Vec::new(),
+            at_break: Joined::new(stored, lanes),
+            at_continue: Joined::new(if is_loop { stored } else { &[] }, lanes),
+        }
+    }
 }
 
 impl<D: Domain> Frame<D> {
@@ -38,6 +60,8 @@ impl<D: Domain> Frame<D> {
             handles: vec![0; handles],
             lanes: 0,
             scopes: Vec::new(),
+            at_return: Joined::new(&[], 0),
+            returned: Vec::new(),
         };
         for (register, bits) in &program.constants {
             match register.bank {
@@ -62,6 +86,28 @@ impl<D: Domain> Frame<D> {
 
     pub(super) fn truth(&self, index: u32) -> View<'_, D::Truth> {
         self.truths[index as usize].view(self.lanes)
+    }
+
+    /// Stores a register to a variable where active, beside what lanes have in it that returned before.
+    pub(super) fn store_result(&mut self, active: &Active, to: Register, from: Register) {
+        match to.bank {
+            Bank::Float => self.store_result_in::<Floats>(active, to.index, from.index),
+            Bank::Int => self.store_result_in::<Ints>(active, to.index, from.index),
+            Bank::Truth => self.store_result_in::<Truths>(active, to.index, from.index),
+            Bank::Handle => {}
+        }
+    }
+
+    fn store_result_in<B: InBank<D>>(&mut self, active: &Active, to: u32, from: u32) {
+        let lanes = self.lanes;
+        let mut target = std::mem::take(&mut B::lanes_mut(self)[to as usize]);
+        let source = B::lanes(self)[from as usize].view(lanes);
+        let slots = target.spread(lanes);
+        active.each(|lane| {
+            let value = source.at(lane);
+            slots[lane] = if self.returned[lane] { B::join(slots[lane], value) } else { value };
+        });
+        B::lanes_mut(self)[to as usize] = target;
     }
 
     /// Stores a register to a variable where active.
@@ -98,6 +144,11 @@ pub(super) trait InBank<D: Domain> {
     fn lanes(frame: &Frame<D>) -> &[Lane<Self::Item>];
     fn lanes_mut(frame: &mut Frame<D>) -> &mut [Lane<Self::Item>];
     fn select(condition: D::Truth, accept: Self::Item, reject: Self::Item) -> Self::Item;
+
+    /// What may be either.
+    fn join(a: Self::Item, b: Self::Item) -> Self::Item {
+        Self::select(D::undecided(), a, b)
+    }
 }
 
 pub(super) struct Floats;

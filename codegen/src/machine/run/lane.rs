@@ -56,13 +56,14 @@ impl<T: Copy + Default> Lane<T> {
         &mut self.data[..count]
     }
 
-    /// A slot for each lane, holding the value it had.
+    /// A slot for each lane, holding the value it had. A call with fewer lanes may have left fewer slots; then the new
+    /// ones hold nothing that anybody reads.
     pub(super) fn spread(&mut self, count: usize) -> &mut [T] {
         if !self.varying {
             let value = self.data.first().copied().unwrap_or_default();
             self.overwrite(count).fill(value);
         }
-        &mut self.data[..count]
+        self.overwrite(count)
     }
 
     /// Takes the value of another in all lanes.

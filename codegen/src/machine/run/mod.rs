@@ -1,15 +1,17 @@
 //! Runs programs on lanes.
 
 mod active;
+mod call;
 mod compute;
 mod count;
 mod flow;
 mod frame;
+mod joined;
 mod lane;
+mod repeat;
 mod texture;
 mod transfer;
 
-use self::active::Active;
 use self::frame::Frame;
 use self::lane::View;
 use super::Machine;
@@ -53,7 +55,7 @@ impl<'a, D: Domain> Run<'a, D> {
         for (component, register) in components.zip(program.parameters.iter().flatten()) {
             set(&mut frame, *register, component, &points);
         }
-        self.steps(&mut frame, &program.body, Active::all(points.len()))?;
+        self.body(&mut frame)?;
         for (register, component) in program.results.iter().zip(&mut out.components) {
             append(&frame, *register, component);
         }

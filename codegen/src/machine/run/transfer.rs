@@ -99,7 +99,53 @@ fn store_part<D: Domain, B: InBank<D>>(
     let lanes = frame.lanes;
     active.each(|lane| {
         let value = B::lanes(frame)[from.index as usize].view(lanes).at(lane);
-        let register = to.table[to.place(frame, lane) + part];
-        B::lanes_mut(frame)[register.index as usize].spread(lanes)[lane] = value;
+        let slot = |frame: &mut Frame<D>, place: usize, join: bool| {
+            let slot = &mut B::lanes_mut(frame)[to.table[place + part].index as usize].spread(lanes)[lane];
+            *slot = if join { B::join(*slot, value) } else { value };
+        };
+        match place(to, frame, lane) {
+            Some(place) => slot(frame, place, false),
+            None => places(to, frame, lane).into_iter().for_each(|place| slot(frame, place, true)),
+        }
     });
+}
+
+/// Loads a scalar of an element known at run time.
+pub(super) fn load_element<D: Domain, B: InBank<D>>(frame: &mut Frame<D>, active: &Active, to: u32, from: &Element) {
+    let lanes = frame.lanes;
+    let mut out = std::mem::take(&mut B::lanes_mut(frame)[to as usize]);
+    let slots = out.overwrite(lanes);
+    active.each(|lane| {
+        let value = |place: usize| B::lanes(frame)[from.table[place].index as usize].view(lanes).at(lane);
+        slots[lane] = match place(from, frame, lane) {
+            Some(place) => value(place),
+            None => {
+                let places = places(from, frame, lane);
+                places[1..].iter().fold(value(places[0]), |joined, place| B::join(joined, value(*place)))
+            }
+        };
+    });
+    B::lanes_mut(frame)[to as usize] = out;
+}
+
+/// The number in the table of the element's first scalar, for one lane, if the domain knows it.
+fn place<D: Domain>(element: &Element, frame: &Frame<D>, lane: usize) -> Option<usize> {
+    let mut place = element.offset;
+    for term in &element.terms {
+        place += D::known(frame.int(term.index).at(lane))?.min(term.count - 1) * term.stride;
+    }
+    Some(place as usize)
+}
+
+/// All that it may be: at least one.
+fn places<D: Domain>(element: &Element, frame: &Frame<D>, lane: usize) -> Vec<usize> {
+    let mut places = vec![element.offset as usize];
+    for term in &element.terms {
+        let index = frame.int(term.index).at(lane);
+        let candidates = D::candidates(index).unwrap_or_else(|| (0..term.count).collect());
+        let mut steps: Vec<u32> = candidates.into_iter().map(|index| index.min(term.count - 1) * term.stride).collect();
+        steps.dedup();
+        places = places.iter().flat_map(|place| steps.iter().map(move |step| place + *step as usize)).collect();
+    }
+    places
 }
