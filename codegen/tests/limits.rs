@@ -1,4 +1,4 @@
-//! Input that costs too much: a diagnostic, soon.
+//! Input that costs too much, or that no repository keeps: a diagnostic, soon.
 
 mod support;
 
@@ -28,6 +28,12 @@ fn instance(nodes: &str) -> String {
 fn a_file_of_four_mebibytes() {
     let comment = format!("    // {}\n    outputs: ( albedo: 0.5 ),\n", "x".repeat(limits::FILE_BYTES as usize));
     check("limit_file", surface(&comment), SURFACE);
+}
+
+#[test]
+fn a_file_that_is_not_utf_8() {
+    let text = b"Surface(version: 1, doc: \"\xff\xfe\")\n";
+    check("unreadable_not_utf8", base().with(SURFACE, text.as_slice()), SURFACE);
 }
 
 #[test]

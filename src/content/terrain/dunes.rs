@@ -24,7 +24,7 @@ pub fn make(arguments: &Arguments) -> Vec<Map> {
     let great = Dunes { distance: height * 9.0, height, angle: 0.45, seed };
     let small = Dunes { distance: height * 2.2, height: 0.16 * height, angle: 0.75, seed: seed ^ 0x5a };
     let swell = Noise::new(seed ^ 0x11, 2, 4);
-    let mut field = Field::build(n, |u, v| (0.5 + swell.fbm(u, v)) * 0.35 * relief);
+    let mut field = Field::build(n, |u, v| (0.5 + 0.8 * swell.fbm(u, v)) * 0.6 * relief);
     for dunes in [great, small] {
         field = field.zip(&dunes.crests(n, extent), |a, b| a + b);
     }
@@ -39,7 +39,7 @@ pub fn make(arguments: &Arguments) -> Vec<Map> {
 fn maps(land: &Land, relief: f32) -> Vec<Map> {
     let heights = land.field();
     let low = heights.quantile(0.0);
-    let hollow = heights.above(60.0 / land.cell).map(|above| step(0.0, -12.0, above));
+    let hollow = heights.above(60.0 / land.cell).map(|above| step(1.0, -6.0, above));
     let slip = Field { size: land.size, data: land.steepness() }.map(|steep| step(0.45, 0.6, steep));
     vec![Map::grey16(&heights.map(|height| (height - low) / relief)), Map::grey8(&hollow), Map::grey8(&slip)]
 }
