@@ -72,6 +72,12 @@ mod tests {
         bytes
     }
 
+    /// The checksum of PNG chunks (ISO 15948, annex D).
+    fn crc32(bytes: &[u8]) -> u32 {
+        let shift = |sum: u32| if sum & 1 == 1 { 0xedb8_8320 ^ (sum >> 1) } else { sum >> 1 };
+        !bytes.iter().fold(!0, |sum, byte| (0..8).fold(sum ^ u32::from(*byte), |sum, _| shift(sum)))
+    }
+
     #[test]
     fn reads_what_an_encoder_writes() {
         let bytes = encoded((5, 3), png::ColorType::Grayscale, png::BitDepth::Sixteen);
@@ -88,6 +94,12 @@ mod tests {
         assert_eq!(header(&bytes), Err(ImageError::Format("a palette".into())));
         assert_eq!(header(b"GIF89a and more"), Err(ImageError::NotPng));
         assert_eq!(header(&[]), Err(ImageError::NotPng));
+        let mut empty = encoded((5, 3), png::ColorType::Grayscale, png::BitDepth::Eight);
+        // A width of 0, with the checksum that fits it.
+        empty[16..20].fill(0);
+        let sum = crc32(&empty[12..29]).to_be_bytes();
+        empty[29..33].copy_from_slice(&sum);
+        assert_eq!(header(&empty), Err(ImageError::NotPng));
     }
 
     #[test]

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use super::fit::Owner;
 use super::port;
 use super::session::Session;
+use super::texture::suits;
 use crate::diagnostic::Diagnostic;
 use crate::graph::file::{Expr, LayerEntry, LayerMaskEntry, Named};
 use crate::graph::model::{ColorSpace, Filter, GraphId, Layer, LayerMask, Role, Texture, Wrap};
@@ -26,10 +27,7 @@ fn mask(session: &mut Session<'_>, mask: &LayerMaskEntry) -> Option<LayerMask> {
         LayerMaskEntry::Painted(file) => {
             let images = session.images();
             let (path, header) = images.find(file, &mut session.findings)?;
-            if (header.depth, header.channels) > (8, 4) && header.channels > 1 {
-                let message = format!("`{path}` is a 16 bit image with several channels");
-                let finding = Diagnostic::error(codes::BAD_IMAGE, file.span, message);
-                session.findings.push(finding.help("save it as grey: a mask is one number"));
+            if !suits(&path, header, ColorSpace::Linear, file.span, &mut session.findings) {
                 return None;
             }
             Some(LayerMask::Painted(Texture {

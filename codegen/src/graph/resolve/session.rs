@@ -170,6 +170,13 @@ impl<'p> Session<'p> {
     }
 
     fn resolve(&mut self, document: &Document, file: &GraphFile) -> Option<GraphId> {
+        if file.role == FileRole::Instance && self.library.kinds.contains_key(&document.name) {
+            let message = format!("there is a node kind `{}` already", document.name);
+            self.findings.push(
+                Diagnostic::error(codes::KIND_CLASH, document.head, message)
+                    .help("rename the file: its stem is the name that graphs call"),
+            );
+        }
         let instances = self.instances(document, file);
         let world = World {
             library: self.library,

@@ -45,6 +45,13 @@ impl Session<'_> {
             self.findings.push(Diagnostic::error(codes::BAD_IMAGE, entry.file.span, message));
             return None;
         }
+        if header.size.0 < 2 || header.size.1 < 2 {
+            let message =
+                format!("`{file}` is {}x{} texels, a height map has at least 2x2", header.size.0, header.size.1);
+            let finding = Diagnostic::error(codes::BAD_IMAGE, entry.file.span, message);
+            self.findings.push(finding.help("the ground is the surface between neighbouring texels"));
+            return None;
+        }
         let HeightEntry { size, range, span, .. } = *entry;
         Some(HeightMap { file, texels: header.size, size, range, span })
     }

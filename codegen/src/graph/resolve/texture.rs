@@ -111,7 +111,13 @@ fn texture(
 }
 
 /// Whether the GPU formats that we use can hold an image for its use.
-fn suits(path: &str, header: ImageHeader, color: ColorSpace, span: Span, findings: &mut Vec<Diagnostic>) -> bool {
+pub(super) fn suits(
+    path: &str,
+    header: ImageHeader,
+    color: ColorSpace,
+    span: Span,
+    findings: &mut Vec<Diagnostic>,
+) -> bool {
     let problem = match (header.depth, header.channels, color) {
         (16, _, ColorSpace::Srgb) => {
             Some((", used as a colour", "colours are 8 bit; heights and other data are `color: linear`"))
