@@ -6,6 +6,7 @@ mod examples;
 mod lattice;
 mod noise;
 mod ranges;
+mod sampling;
 mod texture;
 
 use std::sync::LazyLock;
