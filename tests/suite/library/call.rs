@@ -1,6 +1,6 @@
 //! Calling the library's functions on the machine.
 
-use terrane_codegen::machine::{Component, F32, Machine, Value};
+use terrane_codegen::machine::{Component, Domain, F32, Machine, Value};
 
 use super::LIBRARY;
 use super::texture::ExampleTexture;
@@ -27,7 +27,7 @@ impl Place {
 }
 
 /// The argument for a `Place`.
-pub(super) fn place(places: &[Place]) -> Value<F32> {
+pub(super) fn place<D: Domain>(places: &[Place]) -> Value<D> {
     let vector = |part: fn(&Place) -> [f32; 3]| Value::vector(&places.iter().map(part).collect::<Vec<_>>());
     Value::join([
         Value::integers(&places.iter().map(|place| place.origin).collect::<Vec<_>>()),
@@ -38,18 +38,18 @@ pub(super) fn place(places: &[Place]) -> Value<F32> {
 }
 
 /// The floats of a result: one list of components for each point.
-pub(super) fn floats(value: &Value<F32>, points: usize) -> Vec<Vec<f32>> {
+pub(super) fn floats<D: Domain<Float = f32>>(value: &Value<D>, points: usize) -> Vec<Vec<f32>> {
     let components: Vec<usize> = float_components(value);
     let at = |point: usize| components.iter().map(|component| float(value, *component, point)).collect();
     (0..points).map(at).collect()
 }
 
-fn float_components(value: &Value<F32>) -> Vec<usize> {
+fn float_components<D: Domain>(value: &Value<D>) -> Vec<usize> {
     let is_float = |index: &usize| matches!(value.components[*index], Component::Float(_));
     (0..value.components.len()).filter(is_float).collect()
 }
 
-fn float(value: &Value<F32>, component: usize, point: usize) -> f32 {
+fn float<D: Domain<Float = f32>>(value: &Value<D>, component: usize, point: usize) -> f32 {
     value.float_at(component, point).expect("the component is a float")
 }
 

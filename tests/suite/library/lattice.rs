@@ -1,6 +1,6 @@
 //! Grids and texture coordinates against whole-number arithmetic, up to 8,000 km from the corner.
 
-use terrane_codegen::machine::Value;
+use terrane_codegen::machine::{F32, Value};
 
 use super::call::{Place, all_at_places, at_places, machine, place};
 use super::ranges::Random;
@@ -29,7 +29,7 @@ fn cells_are_exact_wherever_the_patch_is() {
     for wavelength in [0.01, 0.25, 1.0, 3.3, 64.0, 777.7, 16384.0] {
         let places = far_places(7);
         let arguments = [place(&places), Value::f32(&[wavelength])];
-        let (lattice, _) = machine().call("place_lattice", &arguments, POINTS).expect("place_lattice runs");
+        let (lattice, _) = machine().call::<F32>("place_lattice", &arguments, POINTS).expect("place_lattice runs");
         for (point, at) in places.iter().enumerate() {
             for axis in [0, 1] {
                 let (cell, fraction) = reference(at.origin[axis], at.local[2 * axis], wavelength);

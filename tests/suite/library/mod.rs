@@ -5,9 +5,11 @@ mod documentation;
 mod examples;
 mod lattice;
 mod noise;
+mod normals;
 mod ranges;
 mod sampling;
 mod texture;
+mod watched;
 
 use std::sync::LazyLock;
 

@@ -1,11 +1,13 @@
-//! Inputs inside the declared ranges give finite results inside the declared range: random ones and every corner.
+//! Inputs inside the declared ranges give finite results inside the declared range, without an undefined operation on the way:
+//! random ones and every corner.
 
 use terrane_codegen::library::{Overload, Port};
-use terrane_codegen::machine::{Component, F32, Value};
+use terrane_codegen::machine::{Component, Value};
 use terrane_codegen::value::Type;
 
 use super::LIBRARY;
 use super::call::{Place, floats, machine, place};
+use super::watched::{Watched, take_hazard};
 
 /// Points for each node.
 const POINTS: usize = 3000;
@@ -57,14 +59,14 @@ impl Random {
 }
 
 /// Values for a port at every point; a texture port is three arguments.
-fn arguments(random: &mut Random, port: &Port) -> Vec<Value<F32>> {
+fn arguments(random: &mut Random, port: &Port) -> Vec<Value<Watched>> {
     match &port.ty {
         Type::Texture => vec![Value::handle(0), Value::handle(0), Value::i32(&[0])],
         _ => vec![argument(random, port)],
     }
 }
 
-fn argument(random: &mut Random, port: &Port) -> Value<F32> {
+fn argument(random: &mut Random, port: &Port) -> Value<Watched> {
     let range = port.range.unwrap_or((0.0, 65535.0));
     let mut numbers = || (0..POINTS).map(|_| random.number(range)).collect::<Vec<f32>>();
     match &port.ty {
@@ -82,7 +84,7 @@ fn argument(random: &mut Random, port: &Port) -> Value<F32> {
 }
 
 /// Overwrites the first points with the corners of the ports' ranges, as far as there is room.
-fn corners(arguments: &mut [Vec<Value<F32>>], inputs: &[Port]) {
+fn corners(arguments: &mut [Vec<Value<Watched>>], inputs: &[Port]) {
     let mut bit = 0;
     for (values, port) in arguments.iter_mut().zip(inputs) {
         let (Some((low, high)), true) = (port.range, port.ty.components().is_some()) else { continue };
@@ -92,6 +94,18 @@ fn corners(arguments: &mut [Vec<Value<F32>>], inputs: &[Port]) {
                 *number = if point >> (bit % CORNER_BITS) & 1 == 0 { low } else { high };
             }
             bit += 1;
+        }
+    }
+}
+
+/// Behind the corners: for each port a point where all of it is 0, as near as its range allows; vectors without a direction.
+fn zeros(arguments: &mut [Vec<Value<Watched>>], inputs: &[Port]) {
+    for (index, (values, port)) in arguments.iter_mut().zip(inputs).enumerate() {
+        let Some((low, high)) = port.range else { continue };
+        for component in values.iter_mut().flat_map(|value| &mut value.components) {
+            if let Component::Float(numbers) = component {
+                numbers[(1 << CORNER_BITS) + index] = 0.0_f32.clamp(low, high);
+            }
         }
     }
 }
@@ -108,8 +122,11 @@ fn output_ranges(overload: &Overload) -> Vec<Option<(f32, f32)>> {
 fn check(overload: &Overload) -> Vec<String> {
     let mut random =
         Random(overload.function.bytes().fold(1, |seed: u64, byte| seed.wrapping_mul(31) + u64::from(byte)));
-    let mut values: Vec<Vec<Value<F32>>> = overload.inputs.iter().map(|port| arguments(&mut random, port)).collect();
+    let mut values: Vec<Vec<Value<Watched>>> =
+        overload.inputs.iter().map(|port| arguments(&mut random, port)).collect();
     corners(&mut values, &overload.inputs);
+    zeros(&mut values, &overload.inputs);
+    take_hazard();
     let (result, _) = match machine().call(&overload.function, &values.concat(), POINTS) {
         Ok(result) => result,
         Err(error) => return vec![format!("{}: {error}", overload.function)],
@@ -120,16 +137,18 @@ fn check(overload: &Overload) -> Vec<String> {
     };
     let results = floats(&result, POINTS).into_iter().enumerate();
     let bad = results.filter(|(_, components)| !components.iter().zip(&ranges).all(fits));
-    bad.take(2).map(|(point, components)| witness(overload, &values, point, &components)).collect()
+    let bad = bad.take(2).map(|(point, components)| witness(overload, &values, point, &components));
+    let undefined = take_hazard().map(|operation| format!("{}: WGSL leaves {operation} undefined", overload.function));
+    bad.chain(undefined).collect()
 }
 
-fn witness(overload: &Overload, values: &[Vec<Value<F32>>], point: usize, components: &[f32]) -> String {
+fn witness(overload: &Overload, values: &[Vec<Value<Watched>>], point: usize, components: &[f32]) -> String {
     let shown: Vec<String> =
         overload.inputs.iter().zip(values).map(|(port, values)| show(port, &values[0], point)).collect();
     format!("{}({}) is {components:?}, declared {:?}", overload.function, shown.join(", "), output_ranges(overload))
 }
 
-fn show(port: &Port, value: &Value<F32>, point: usize) -> String {
+fn show(port: &Port, value: &Value<Watched>, point: usize) -> String {
     let part = |index| {
         let float = value.float_at(index, point).map(|number| format!("{number:?}"));
         float.or_else(|| value.int_at(index, point).map(|number| format!("{number:?}"))).unwrap_or_default()
