@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::device::Device;
-use super::manifest::{Manifest, Terrain};
+use super::manifest::Manifest;
 use super::view::{PICTURE, patches};
 use super::{material, view};
 
@@ -13,7 +13,9 @@ const DEPTH: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 const VERTICES: u32 = 16 * 16 * 6;
 
 /// Draws the terrain with the shader and gives the picture's bytes.
-pub(crate) fn draw(manifest: &Manifest, terrain: &Terrain, shader: &str, root: &Path) -> Result<Vec<u8>, String> {
+pub(crate) fn draw(manifest: &Manifest, shader: &str, root: &Path) -> Result<Vec<u8>, String> {
+    let terrain =
+        manifest.terrain.as_ref().ok_or("this manifest is of a surface alone: there is no terrain to draw")?;
     let device = Device::open()?;
     let pipeline = pipeline(&device, shader)?;
     let view = view::bind(&device, &pipeline.get_bind_group_layout(0), terrain, root)?;

@@ -37,19 +37,24 @@ fn main() -> ExitCode {
     }
 }
 
-fn run(path: &Path, picture: &Path) -> Result<(), String> {
+/// Draws the terrain of a manifest.
+pub(crate) fn run(path: &Path, picture: &Path) -> Result<(), String> {
+    let (manifest, shader) = load(path)?;
+    let folder = path.parent().ok_or("the manifest is a folder")?;
+    let pixels = draw::draw(&manifest, &shader, folder)?;
+    write_png(picture, &pixels).map_err(|error| format!("{}: {error}", picture.display()))?;
+    println!("{}", picture.display());
+    Ok(())
+}
+
+/// A manifest, and the core beside it made into a whole shader.
+pub(crate) fn load(path: &Path) -> Result<(Manifest, String), String> {
     let manifest = Manifest::read(path)?;
-    let terrain =
-        manifest.terrain.as_ref().ok_or("this manifest is of a surface alone: there is no terrain to draw")?;
     let permutation = manifest.permutations.first().ok_or("this manifest names no shader")?;
     let core = path.with_file_name(&permutation.core.path);
     let core = fs::read_to_string(&core).map_err(|error| format!("{}: {error}", core.display()))?;
     let shader = shader::compose(&core, &manifest)?;
-    let folder = path.parent().ok_or("the manifest is a folder")?;
-    let pixels = draw::draw(&manifest, terrain, &shader, folder)?;
-    write_png(picture, &pixels).map_err(|error| format!("{}: {error}", picture.display()))?;
-    println!("{}", picture.display());
-    Ok(())
+    Ok((manifest, shader))
 }
 
 fn write_png(path: &Path, pixels: &[u8]) -> io::Result<()> {

@@ -114,11 +114,11 @@ fn lint() -> Result<(), String> {
     if !has_component("clippy") {
         return leave_out("clippy is not installed (rustup component add clippy)");
     }
-    succeed(cargo(&["clippy", "--workspace", "--all-targets", "--locked", "--", "-D", "warnings"]))
+    succeed(cargo(&["clippy", "--workspace", "--all-targets", "--locked", "--keep-going", "--", "-D", "warnings"]))
 }
 
 fn documentation() -> Result<(), String> {
-    let mut doc = cargo(&["doc", "--workspace", "--no-deps", "--locked"]);
+    let mut doc = cargo(&["doc", "--workspace", "--no-deps", "--locked", "--keep-going"]);
     doc.env("RUSTDOCFLAGS", "-D warnings");
     succeed(doc)
 }

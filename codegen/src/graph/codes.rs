@@ -23,7 +23,7 @@ codes! {
     MISSING_FIELD = "TG108" "missing-field" "A field that the format needs is not there.";
     DUPLICATE_KEY = "TG109" "duplicate-key" "A key occurs twice: RON would keep the last one silently.";
     WRONG_SHAPE = "TG110" "wrong-shape" "A value of another shape is expected here, such as a map where a number stands.";
-    INVALID_NAME = "TG111" "invalid-name" "Names are [a-z][a-z0-9_]*: they become names in WGSL and must not hide RON's own words.";
+    INVALID_NAME = "TG111" "invalid-name" "Names are `[a-z][a-z0-9_]*`: they become names in WGSL and must not hide RON's own words.";
     SHADOWING = "TG112" "shadowing" "Two things share a name; frame fields, parameters, textures, inputs and nodes live in one namespace.";
     NOT_FINITE = "TG113" "not-finite" "NaN and infinity: WGSL gives no meaning to them, and one such pixel spreads.";
     OVERFLOW = "TG114" "number-overflow" "A number is too large for the type that a shader computes with.";

@@ -4,7 +4,7 @@
 //! ([`F32`]), as the reference ([`F64`]) …. Every call also counts operations ([`Counts`]): cost without a clock.
 //!
 //! # How it runs
-//! A function is compiled once to a [`Program`](program::Program): each scalar has a dense register, and swizzles,
+//! A function is compiled once to a `Program`: each scalar has a dense register, and swizzles,
 //! constructors and member accesses are resolved to registers before anything runs. A call evaluates many points per
 //! step: a register holds one scalar of a few hundred points (lanes), or one for all of them while it does not vary.
 //! Control flow works on sets of lanes: both sides of a branch run, each on its lanes; a loop runs until its last lane

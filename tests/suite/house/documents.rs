@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 use std::fs;
+use std::process::Command;
 
 use super::files::{File, root, with_endings};
 
@@ -23,6 +24,18 @@ fn every_cargo_command_in_the_documents_exists() {
     let aliases: BTreeSet<&str> = config.lines().filter_map(|line| line.split(" = ").next()).collect();
     for (path, command) in commands("cargo ") {
         assert!(aliases.contains(command.as_str()) || CARGO.contains(&command.as_str()), "{path}: cargo {command}?");
+    }
+}
+
+#[test]
+fn every_terrane_command_in_the_documents_exists() {
+    let help = Command::new(env!("CARGO_BIN_EXE_terrane")).arg("--help").output().unwrap();
+    let help = String::from_utf8(help.stdout).unwrap();
+    let listed = help.split_once("Commands:\n").expect("--help lists the commands").1;
+    let listed = listed.lines().take_while(|line| !line.trim().is_empty());
+    let listed: BTreeSet<String> = listed.filter_map(|line| Some(line.split_whitespace().next()?.to_owned())).collect();
+    for (path, command) in commands("terrane ") {
+        assert!(listed.contains(&command), "{path}: terrane {command}?");
     }
 }
 

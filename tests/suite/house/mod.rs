@@ -3,4 +3,5 @@
 mod budgets;
 mod documents;
 mod files;
+mod graphs;
 mod words;
