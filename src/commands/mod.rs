@@ -2,6 +2,7 @@
 
 mod build;
 mod check;
+mod new;
 mod nodes;
 mod project;
 mod render;
@@ -30,6 +31,7 @@ Exit codes: 0 done, 1 the graphs are wrong, 2 the command line is wrong, 3 the m
 
 #[derive(Debug, Subcommand)]
 enum Command {
+    New(new::New),
     Check(check::Check),
     Build(build::Build),
     Render(render::Render),
@@ -40,6 +42,7 @@ impl Cli {
     /// Runs the command and says on stderr what went wrong.
     pub(crate) fn run(self) -> ExitCode {
         let result = match self.command {
+            Command::New(command) => command.run(),
             Command::Check(command) => command.run(),
             Command::Build(command) => command.run(),
             Command::Render(command) => command.run(),

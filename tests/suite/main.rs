@@ -3,6 +3,7 @@
 mod content;
 mod house;
 mod library;
+mod random;
 mod render;
 mod skip;
 mod tint;

@@ -105,7 +105,11 @@ impl Scene<'_, '_> {
             self.wires.push(Wire::new(format!("\"{name}.{letter}\""), Type::F32, unit));
         }
         for member in &overload.members {
-            self.wires.push(Wire::new(format!("\"{name}.{}\"", member.name), member.ty.clone(), member.unit.as_deref()));
+            self.wires.push(Wire::new(
+                format!("\"{name}.{}\"", member.name),
+                member.ty.clone(),
+                member.unit.as_deref(),
+            ));
         }
         self.wires.push(Wire::new(name, ty, unit));
     }
@@ -133,7 +137,8 @@ impl Scene<'_, '_> {
     }
 
     fn wire(&mut self, ty: &Type, unit: Option<&str>) -> Option<String> {
-        let fits = |wire: &&Wire| wire.ty == *ty && (unit.is_none() || wire.unit.is_none() || wire.unit.as_deref() == unit);
+        let fits =
+            |wire: &&Wire| wire.ty == *ty && (unit.is_none() || wire.unit.is_none() || wire.unit.as_deref() == unit);
         let found: Vec<String> = self.wires.iter().filter(fits).map(|wire| wire.text.clone()).collect();
         self.genes.pick(&found).cloned()
     }
@@ -165,7 +170,10 @@ fn mask(library: &Library, genes: &mut Genes<'_>) -> String {
     let mut scene = Scene { library, genes, wires: frame(), textures: &[], instance: true, text: String::new() };
     scene.nodes(5);
     let output = scene.argument_of(&Type::F32, None, (0.0, 1.0));
-    format!("Mask(\n    version: 1,\n    doc: \"Random.\",\n    nodes: {{\n{}    }},\n    output: {output},\n)\n", scene.text)
+    format!(
+        "Mask(\n    version: 1,\n    doc: \"Random.\",\n    nodes: {{\n{}    }},\n    output: {output},\n)\n",
+        scene.text
+    )
 }
 
 fn surface(library: &Library, genes: &mut Genes<'_>, index: usize) -> String {
@@ -192,7 +200,8 @@ fn terrain(genes: &mut Genes<'_>, surfaces: usize) -> String {
     let blend = ["over", "height_max", "height_soft(band: 0.2)"][genes.below(3)];
     let mut layers = String::new();
     for index in 0..surfaces {
-        let mask = ["", ", mask: graph(\"graphs/masks/random_mask.ron\")", ", mask: painted(\"textures/sand_height.png\")"];
+        let mask =
+            ["", ", mask: graph(\"graphs/masks/random_mask.ron\")", ", mask: painted(\"textures/sand_height.png\")"];
         let parameters = ["", ", parameters: { \"amount\": 0.75 }"];
         let (mask, parameters) = (mask[genes.below(3)], parameters[genes.below(2)]);
         let _ = writeln!(layers, "        (surface: \"graphs/surfaces/s{index}.ron\"{parameters}{mask}),");
