@@ -1,12 +1,13 @@
 //! From a scene to its picture.
 
 use glam::{DVec2, DVec3};
+use terrane_shaderlib::hosts;
 
 use super::air::{Aerial, Atmosphere, SkyTable};
 use super::camera::{Camera, View, sun_direction};
 use super::error::{RenderError, Result};
 use super::frame::{
-    Bound, SkyPipeline, Tables, Targets, TerrainDraw, TerrainPipeline, ViewUniform, read_depth, resolve,
+    Bound, FullScreen, Tables, Targets, TerrainDraw, TerrainPipeline, ViewUniform, read_depth, resolve,
 };
 use super::geometry::{Bounds, select, visible};
 use super::gpu::Gpu;
@@ -81,6 +82,20 @@ pub fn render_with_depth(gpu: &Gpu, scene: &RenderScene<'_>, progress: Progress)
     })
 }
 
+/// Refuses what does not fit into a texture.
+pub(super) fn validate_size(image: [u32; 2], supersampling: u32) -> Result<()> {
+    if !(1..=8).contains(&supersampling) {
+        return Err(RenderError::Scene(format!("supersampling of {supersampling} is not in 1..8")));
+    }
+    let largest = LARGEST / supersampling;
+    if image.iter().any(|side| !(1..=largest).contains(side)) {
+        let [width, height] = image;
+        let reason = format!("a picture of {width} x {height} is not in 1..{largest} pixels on each side");
+        return Err(RenderError::Scene(reason));
+    }
+    Ok(())
+}
+
 fn draw(gpu: &Gpu, scene: &RenderScene<'_>, progress: Progress) -> Result<Targets> {
     scene.validate()?;
     let view = scene.camera.view(scene.image[0], scene.image[1])?;
@@ -91,7 +106,7 @@ fn draw(gpu: &Gpu, scene: &RenderScene<'_>, progress: Progress) -> Result<Target
         let _phase = progress.phase("terrain shader", 1);
         TerrainPipeline::new(gpu, scene.shader, &bound, &material)?
     };
-    let sky = SkyPipeline::new(gpu, &bound)?;
+    let sky = FullScreen::new(gpu, "sky", &hosts::join(hosts::WGPU_SKY), &[&bound.layout])?;
     let patches = TerrainDraw::new(gpu, scene.field, &scene.patches(&view, progress))?;
     let targets = Targets::new(gpu, width, height)?;
     let _phase = progress.phase("drawing", 1);
@@ -100,7 +115,7 @@ fn draw(gpu: &Gpu, scene: &RenderScene<'_>, progress: Progress) -> Result<Target
         patches.draw_depth(&mut targets.depth_pass(&mut encoder), &terrain, &bound, &material);
         let mut pass = targets.light_pass(&mut encoder);
         patches.draw_light(&mut pass, &terrain, &bound, &material);
-        sky.draw(&mut pass, &bound);
+        sky.draw(&mut pass, &[&bound.group]);
     })?;
     gpu.queue.submit([encoder.finish()]);
     gpu.wait()?;
@@ -128,14 +143,7 @@ fn bind(gpu: &Gpu, scene: &RenderScene<'_>, view: &View, progress: Progress) -> 
 impl RenderScene<'_> {
     fn validate(&self) -> Result<()> {
         let refuse = |reason: String| Err(RenderError::Scene(reason));
-        if !(1..=8).contains(&self.supersampling) {
-            return refuse(format!("supersampling of {} is not in 1..8", self.supersampling));
-        }
-        let largest = LARGEST / self.supersampling;
-        if self.image.iter().any(|side| !(1..=largest).contains(side)) {
-            let [width, height] = self.image;
-            return refuse(format!("a picture of {width} x {height} is not in 1..{largest} pixels on each side"));
-        }
+        validate_size(self.image, self.supersampling)?;
         if !(0.0..=90.0).contains(&self.sun[1]) || !self.sun[0].is_finite() {
             return refuse(format!("a sun {} degrees above the horizon is not in 0..90", self.sun[1]));
         }

@@ -7,18 +7,6 @@
 /// xyz: (1/π) ∫ ω dω over the visible sky. w: share of the sun's irradiance on the ground around.
 @group(0) @binding(6) var host_light: texture_2d<f32>;
 
-/// What a material may ask for.
-struct HostFrame {
-    position: Place,
-    terrain_uv: Coord,
-    height: f32,
-    slope: f32,
-    normal: vec3f,
-    curvature: f32,
-    distance: f32,
-    sun: vec3f,
-}
-
 /// Slope and bend of the height map: metres per metre, and 1/m.
 struct HostShape { gradient: vec2f, second: vec2f, mixed: f32 }
 
@@ -104,13 +92,4 @@ fn host_curvature(shape: HostShape) -> f32 {
     let bend = (1.0 + g.y * g.y) * shape.second.x + (1.0 + g.x * g.x) * shape.second.y - 2.0 * g.x * g.y * shape.mixed;
     let steep = 1.0 + dot(g, g);
     return -0.5 * bend / (steep * sqrt(steep));
-}
-
-/// Share of the sun's disc above a horizon whose tangent is given: the area of a disc cut by a line.
-fn host_sun_visible(horizon: f32) -> f32 {
-    let flat = length(host_view.sun.xz);
-    // Tangent of the angle between the horizon and the sun's middle.
-    let above = (host_view.sun.y - horizon * flat) / max(flat + horizon * host_view.sun.y, 1e-6);
-    let x = clamp(above / host_view.sun_radius, -1.0, 1.0);
-    return 0.5 + (x * sqrt(1.0 - x * x) + asin(x)) * 0.318309886;
 }

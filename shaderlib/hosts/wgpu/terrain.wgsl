@@ -77,6 +77,8 @@ fn terrain_fragment(vertex: HostVertex) -> @location(0) vec4f {
     let sky = textureSampleLevel(host_light, host_sampler, terrain_uv.uv, 0.0);
     let height = saturate((position.local.y - host_view.low) / host_view.height_range);
     let sun = mix(host_view.sun_low, host_view.sun_high, height) * host_sun_visible(horizon);
-    let radiance = host_shade(material, normal, to_eye / distance, HostLight(sun, sky.xyz, sky.w));
+    // Ground is lit by ground of its own kind.
+    let light = HostLight(sun, sky.xyz, sky.w, material.albedo);
+    let radiance = host_shade(material, normal, to_eye / distance, light);
     return vec4f(host_through_air(radiance, vertex.clip.xy / host_view.pixels, position.local.y, distance), 1.0);
 }
