@@ -75,7 +75,13 @@ fn bind(gpu: &Gpu, preview: &Preview<'_>) -> Result<Bound> {
     let sky = SkyTable::new(&atmosphere, 2.0, lights.low.sky);
     let aerial =
         Aerial { cells: vec![DVec3::ZERO; super::air::AERIAL_CELLS.iter().product::<u32>() as usize], reach: 1.0 };
-    let light = LightMap { horizon_size: [1, 1], horizon: vec![OPEN], sky_size: [1, 1], sky: vec![Vec4::Y] };
+    let light = LightMap {
+        horizon_size: [1, 1],
+        horizon: vec![OPEN],
+        sky_size: [1, 1],
+        sky: vec![Vec4::Y],
+        images: vec![Vec4::splat(OPEN)],
+    };
     let samples = preview.image.map(|side| side * preview.supersampling);
     let uniform = ViewUniform::new(&view, &field, &atmosphere, &lights, aerial.reach, samples);
     Bound::new(

@@ -1,6 +1,6 @@
 //! From a scene to its picture.
 
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 use terrane_shaderlib::hosts;
 
 use super::air::{Aerial, Atmosphere, SkyTable};
@@ -13,7 +13,7 @@ use super::geometry::{Bounds, select, visible};
 use super::gpu::Gpu;
 use super::height_field::HeightField;
 use super::image::Image;
-use super::light::light_map;
+use super::light::{LightSettings, light_map};
 use super::lights::Lights;
 use super::material::{Material, MaterialGroup};
 use super::progress::Progress;
@@ -31,6 +31,8 @@ pub struct RenderScene<'a> {
     pub shadow: bool,
     /// Directions of the sky's occlusion by the terrain, 0 for none.
     pub occlusion: u32,
+    /// Whether mirror images of the terrain lie around it, so that no picture shows where the height map ends.
+    pub surroundings: bool,
     /// Where from.
     pub camera: Camera,
     /// Degrees clockwise from north (−z), and above the horizon.
@@ -55,6 +57,9 @@ pub struct Rendered {
     /// [`super::NEAR`] over metres along the view's axis, 0 for the sky; one per sample, row by row.
     pub depth: Vec<f32>,
 }
+
+/// Metres of land around a terrain: beyond, haze has taken the contrast.
+const LAND_REACH: f64 = 12_000.0;
 
 /// Largest side of a texture that core WebGPU promises.
 const LARGEST: u32 = 8192;
@@ -133,7 +138,9 @@ fn bind(gpu: &Gpu, scene: &RenderScene<'_>, view: &View, progress: Progress) -> 
     phase.advance(1);
     let aerial = Aerial::new(&atmosphere, view, scene.reach(view.eye));
     drop(phase);
-    let light = light_map(scene.field, sun, scene.shadow, scene.occlusion, progress);
+    let settings =
+        LightSettings { sun, shadow: scene.shadow, directions: scene.occlusion, surroundings: scene.surroundings };
+    let light = light_map(scene.field, settings, progress);
     let samples = scene.image.map(|side| side * scene.supersampling);
     let uniform = ViewUniform::new(view, scene.field, &atmosphere, &lights, aerial.reach, samples);
     let field = scene.field;
@@ -165,17 +172,28 @@ impl RenderScene<'_> {
         let _phase = progress.phase("terrain patches", 1);
         let bounds = Bounds::new(self.field);
         let tolerance = self.tolerance / view.pixels_per_radian(self.image[1]);
-        let leaves = select(self.field, &bounds, view.eye, tolerance);
+        let leaves = select(self.field, &bounds, view.eye, tolerance, self.rings());
         let patches = visible(self.field, &bounds, view, &leaves);
         log::debug!("{} of {} patches are visible", patches.len(), leaves.len());
         patches
     }
 
-    /// Metres from the eye to the terrain's farthest corner.
+    /// Images on each side of the terrain.
+    fn rings(&self) -> u32 {
+        let [width, depth] = self.field.extent();
+        // Three are as far as a repetition can go before it is noticed.
+        if self.surroundings { (LAND_REACH / width.min(depth)).ceil().clamp(1.0, 3.0) as u32 } else { 0 }
+    }
+
+    /// Metres from the eye to the land's farthest corner.
     fn reach(&self, eye: DVec3) -> f64 {
-        let extent = self.field.extent();
-        let flat = DVec2::new(eye.x.abs().max((eye.x - extent[0]).abs()), eye.z.abs().max((eye.z - extent[1]).abs()));
+        let farthest = |at: f64, extent: f64| {
+            let around = extent * f64::from(self.rings());
+            (at + around).abs().max((at - extent - around).abs())
+        };
+        let [width, depth] = self.field.extent();
         let [low, high] = self.field.range().map(f64::from);
-        flat.extend((eye.y - low).abs().max((eye.y - high).abs())).length()
+        let up = (eye.y - low).abs().max((eye.y - high).abs());
+        DVec3::new(farthest(eye.x, width), up, farthest(eye.z, depth)).length()
     }
 }

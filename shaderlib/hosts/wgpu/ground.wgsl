@@ -4,8 +4,9 @@
 @group(0) @binding(4) var host_height: texture_2d<f32>;
 /// Tangent of the horizon under the sun; with mips.
 @group(0) @binding(5) var host_horizon: texture_2d<f32>;
-/// xyz: (1/π) ∫ ω dω over the visible sky. w: share of the sun's irradiance on the ground around.
-@group(0) @binding(6) var host_light: texture_2d<f32>;
+/// Layer 0, xyz: (1/π) ∫ ω dω over the visible sky; w: share of the sun's irradiance on the ground around.
+/// Layer 1: tangents of the horizon under the sun where the terrain is mirrored on neither axis, x, z, both.
+@group(0) @binding(6) var host_light: texture_2d_array<f32>;
 
 /// Slope and bend of the height map: metres per metre, and 1/m.
 struct HostShape { gradient: vec2f, second: vec2f, mixed: f32 }
@@ -80,6 +81,21 @@ fn host_shape_filtered(texel: vec2i, part: vec2f, level: f32) -> HostShape {
         mix(shape.second, other.second, blend),
         mix(shape.mixed, other.mixed, blend),
     );
+}
+
+/// The shape of a mirror image.
+fn host_shape_mirrored(shape: HostShape, mirror: vec2f) -> HostShape {
+    return HostShape(shape.gradient * mirror, shape.second, shape.mixed * mirror.x * mirror.y);
+}
+
+/// Tangent of the horizon under the sun: fine on the terrain itself, coarse on its images.
+fn host_horizon_at(uv: vec2f, level: f32, mirror: vec2f, itself: bool) -> f32 {
+    if itself {
+        return textureSampleLevel(host_horizon, host_sampler, uv, level).r;
+    }
+    let image = textureSampleLevel(host_light, host_sampler, uv, 1i, 0.0);
+    let rows = select(image.zw, image.xy, mirror.y > 0.0);
+    return select(rows.y, rows.x, mirror.x > 0.0);
 }
 
 fn host_normal(shape: HostShape) -> vec3f {

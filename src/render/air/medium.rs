@@ -9,8 +9,9 @@ pub const TOP_RADIUS: f64 = 6_460e3;
 
 /// Cosine-weighted mean of the haze's phase function. Hillaire 2020, table 1.
 const HAZE_FORWARD: f64 = 0.8;
-/// Share of the light that haze scatters and does not absorb: rural aerosol. Hillaire 2020, table 1: 3.996 / 4.44.
-const HAZE_ALBEDO: f64 = 0.9;
+/// Share of the light that haze scatters and does not absorb: between clean and average continental air, 0.97 and 0.93 at
+/// 550 nm (Hess, Koepke and Schult, "Optical Properties of Aerosols and Clouds", 1998, table 4).
+const HAZE_ALBEDO: f64 = 0.95;
 /// Wavelengths in µm that stand for red, green and blue: with them a thin sky and the sun through one to five atmospheres
 /// have the colours that the whole spectrum gives in linear Rec. 709, to a few percent. (Bruneton 2008 has 0.68 for red,
 /// which makes a thin sky too blue by a fifth.)
