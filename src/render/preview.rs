@@ -30,7 +30,7 @@ pub struct Preview<'a> {
 }
 
 /// Degrees: from the left behind the camera, so that shapes and bumps read.
-const SUN: [f64; 2] = [292.0, 38.0];
+const SUN: [f64; 2] = [258.0, 40.0];
 const TURBIDITY: f64 = 2.5;
 
 /// Draws a preview.
@@ -71,7 +71,7 @@ fn bind(gpu: &Gpu, preview: &Preview<'_>) -> Result<Bound> {
     let view = camera.view(width, height)?;
     let field = HeightField::new([2, 2], [unit, unit], vec![0.0; 4])?;
     let atmosphere = Atmosphere::new(TURBIDITY, sun_direction(SUN[0], SUN[1]));
-    let lights = Lights::new(&atmosphere, [0.0, 1.0], 0.0);
+    let lights = Lights::new(&atmosphere, [0.0, 1.0], 0.0, 1.0);
     let sky = SkyTable::new(&atmosphere, 2.0, lights.low.sky);
     let aerial =
         Aerial { cells: vec![DVec3::ZERO; super::air::AERIAL_CELLS.iter().product::<u32>() as usize], reach: 1.0 };

@@ -14,7 +14,7 @@ use super::gpu::Gpu;
 use super::height_field::HeightField;
 use super::image::Image;
 use super::light::{LightSettings, light_map};
-use super::lights::Lights;
+use super::lights::{ADAPTATION, Lights};
 use super::material::{Material, MaterialGroup};
 use super::progress::Progress;
 
@@ -132,7 +132,7 @@ fn bind(gpu: &Gpu, scene: &RenderScene<'_>, view: &View, progress: Progress) -> 
     let phase = progress.phase("atmosphere", 4);
     let atmosphere = Atmosphere::new(scene.turbidity, sun);
     phase.advance(1);
-    let lights = Lights::new(&atmosphere, scene.field.range(), scene.exposure);
+    let lights = Lights::new(&atmosphere, scene.field.range(), scene.exposure, ADAPTATION);
     phase.advance(1);
     let sky = SkyTable::new(&atmosphere, view.eye.y, lights.low.sky);
     phase.advance(1);

@@ -65,7 +65,9 @@ fn preview_light(at: vec3f, hit: PreviewHit) -> HostLight {
     // The sun's radius seen from here, at the ball.
     let lit = saturate(0.5 + 0.5 * miss / (host_view.sun_radius * away));
     let behind = dot(to_ball, host_view.sun) > 0.0;
-    return HostLight(sun * select(1.0, lit, behind), vec3f(0.0, 1.0 - hidden, 0.0), host_view.sun.y, PREVIEW_GREY);
+    // What hides the sky is the ball's lower half, which sees no sun and little of the ground.
+    let around = host_view.sun.y * (1.0 - hidden) * 0.3;
+    return HostLight(sun * select(1.0, lit, behind), vec3f(0.0, 1.0 - hidden, 0.0), around, PREVIEW_GREY);
 }
 
 /// The material of a place, in metres from the middle of the square or of the ball.
