@@ -89,6 +89,7 @@ pub fn render_scene<'a>(
         field,
         shadow: scene.terrain.shadow == Shadow::Horizon,
         occlusion: scene.terrain.occlusion,
+        surroundings: true,
         camera: Camera {
             eye: scene.camera.eye.map(f64::from),
             target: scene.camera.target.map(f64::from),

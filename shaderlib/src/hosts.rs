@@ -12,10 +12,19 @@ macro_rules! host {
 }
 
 /// Plain WebGPU: a terrain of patches. Entry points `terrain_vertex` and `terrain_fragment`.
-pub const WGPU_TERRAIN: &[SourceFile] =
-    &[host!("wgpu/view.wgsl"), host!("wgpu/ground.wgsl"), host!("wgpu/light.wgsl"), host!("wgpu/terrain.wgsl")];
+pub const WGPU_TERRAIN: &[SourceFile] = &[
+    host!("wgpu/view.wgsl"),
+    host!("wgpu/frame.wgsl"),
+    host!("wgpu/ground.wgsl"),
+    host!("wgpu/light.wgsl"),
+    host!("wgpu/terrain.wgsl"),
+];
 
-/// Sampled textures that [`WGPU_TERRAIN`] binds in group 0; what is left of a stage's 16 is the material's.
+/// Plain WebGPU: one material on a square and a ball. Entry points `preview_vertex` and `preview_fragment`.
+pub const WGPU_PREVIEW: &[SourceFile] =
+    &[host!("wgpu/view.wgsl"), host!("wgpu/frame.wgsl"), host!("wgpu/light.wgsl"), host!("wgpu/preview.wgsl")];
+
+/// Sampled textures that [`WGPU_TERRAIN`] and [`WGPU_PREVIEW`] bind at most in group 0; what is left of a stage's 16 is the material's.
 pub const WGPU_TEXTURES: usize = 5;
 
 /// The renderer's own: the sky behind a terrain. Entry points `sky_vertex` and `sky_fragment`.

@@ -76,6 +76,20 @@ impl HeightField {
         self.texels[row * self.size[0] as usize + column]
     }
 
+    /// The height of a texel; beyond the border the terrain's mirror image goes on.
+    #[must_use]
+    pub fn mirrored(&self, column: i64, row: i64) -> f32 {
+        let fold = |place: i64, side: u32| {
+            let last = i64::from(side) - 1;
+            if (0..=last).contains(&place) {
+                return place as usize;
+            }
+            let place = place.rem_euclid(2 * last);
+            place.min(2 * last - place) as usize
+        };
+        self.texels[fold(row, self.size[1]) * self.size[0] as usize + fold(column, self.size[0])]
+    }
+
     /// The bilinear surface at a position in metres.
     #[must_use]
     pub fn bilinear(&self, x: f64, z: f64) -> f64 {

@@ -21,6 +21,7 @@ mod image;
 pub mod light;
 mod lights;
 pub mod material;
+mod preview;
 mod progress;
 mod scene;
 
@@ -30,5 +31,6 @@ pub use gpu::{Gpu, Selection};
 pub use height_field::HeightField;
 pub use image::Image;
 pub use lights::{Lights, luminance};
+pub use preview::{Preview, render_preview};
 pub use progress::{Phase, Progress};
 pub use scene::{RenderScene, Rendered, render_scene, render_with_depth};

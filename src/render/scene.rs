@@ -1,19 +1,20 @@
 //! From a scene to its picture.
 
-use glam::{DVec2, DVec3};
+use glam::DVec3;
+use terrane_shaderlib::hosts;
 
 use super::air::{Aerial, Atmosphere, SkyTable};
 use super::camera::{Camera, View, sun_direction};
 use super::error::{RenderError, Result};
 use super::frame::{
-    Bound, SkyPipeline, Tables, Targets, TerrainDraw, TerrainPipeline, ViewUniform, read_depth, resolve,
+    Bound, FullScreen, Tables, Targets, TerrainDraw, TerrainPipeline, ViewUniform, read_depth, resolve,
 };
 use super::geometry::{Bounds, select, visible};
 use super::gpu::Gpu;
 use super::height_field::HeightField;
 use super::image::Image;
-use super::light::light_map;
-use super::lights::Lights;
+use super::light::{LightSettings, light_map};
+use super::lights::{ADAPTATION, Lights};
 use super::material::{Material, MaterialGroup};
 use super::progress::Progress;
 
@@ -30,6 +31,8 @@ pub struct RenderScene<'a> {
     pub shadow: bool,
     /// Directions of the sky's occlusion by the terrain, 0 for none.
     pub occlusion: u32,
+    /// Whether mirror images of the terrain lie around it, so that no picture shows where the height map ends.
+    pub surroundings: bool,
     /// Where from.
     pub camera: Camera,
     /// Degrees clockwise from north (−z), and above the horizon.
@@ -54,6 +57,9 @@ pub struct Rendered {
     /// [`super::NEAR`] over metres along the view's axis, 0 for the sky; one per sample, row by row.
     pub depth: Vec<f32>,
 }
+
+/// Metres of land around a terrain: beyond, haze has taken the contrast.
+const LAND_REACH: f64 = 12_000.0;
 
 /// Largest side of a texture that core WebGPU promises.
 const LARGEST: u32 = 8192;
@@ -81,6 +87,20 @@ pub fn render_with_depth(gpu: &Gpu, scene: &RenderScene<'_>, progress: Progress)
     })
 }
 
+/// Refuses what does not fit into a texture.
+pub(super) fn validate_size(image: [u32; 2], supersampling: u32) -> Result<()> {
+    if !(1..=8).contains(&supersampling) {
+        return Err(RenderError::Scene(format!("supersampling of {supersampling} is not in 1..8")));
+    }
+    let largest = LARGEST / supersampling;
+    if image.iter().any(|side| !(1..=largest).contains(side)) {
+        let [width, height] = image;
+        let reason = format!("a picture of {width} x {height} is not in 1..{largest} pixels on each side");
+        return Err(RenderError::Scene(reason));
+    }
+    Ok(())
+}
+
 fn draw(gpu: &Gpu, scene: &RenderScene<'_>, progress: Progress) -> Result<Targets> {
     scene.validate()?;
     let view = scene.camera.view(scene.image[0], scene.image[1])?;
@@ -91,7 +111,7 @@ fn draw(gpu: &Gpu, scene: &RenderScene<'_>, progress: Progress) -> Result<Target
         let _phase = progress.phase("terrain shader", 1);
         TerrainPipeline::new(gpu, scene.shader, &bound, &material)?
     };
-    let sky = SkyPipeline::new(gpu, &bound)?;
+    let sky = FullScreen::new(gpu, "sky", &hosts::join(hosts::WGPU_SKY), &[&bound.layout])?;
     let patches = TerrainDraw::new(gpu, scene.field, &scene.patches(&view, progress))?;
     let targets = Targets::new(gpu, width, height)?;
     let _phase = progress.phase("drawing", 1);
@@ -100,7 +120,7 @@ fn draw(gpu: &Gpu, scene: &RenderScene<'_>, progress: Progress) -> Result<Target
         patches.draw_depth(&mut targets.depth_pass(&mut encoder), &terrain, &bound, &material);
         let mut pass = targets.light_pass(&mut encoder);
         patches.draw_light(&mut pass, &terrain, &bound, &material);
-        sky.draw(&mut pass, &bound);
+        sky.draw(&mut pass, &[&bound.group]);
     })?;
     gpu.queue.submit([encoder.finish()]);
     gpu.wait()?;
@@ -112,13 +132,15 @@ fn bind(gpu: &Gpu, scene: &RenderScene<'_>, view: &View, progress: Progress) -> 
     let phase = progress.phase("atmosphere", 4);
     let atmosphere = Atmosphere::new(scene.turbidity, sun);
     phase.advance(1);
-    let lights = Lights::new(&atmosphere, scene.field.range(), scene.exposure);
+    let lights = Lights::new(&atmosphere, scene.field.range(), scene.exposure, ADAPTATION);
     phase.advance(1);
     let sky = SkyTable::new(&atmosphere, view.eye.y, lights.low.sky);
     phase.advance(1);
     let aerial = Aerial::new(&atmosphere, view, scene.reach(view.eye));
     drop(phase);
-    let light = light_map(scene.field, sun, scene.shadow, scene.occlusion, progress);
+    let settings =
+        LightSettings { sun, shadow: scene.shadow, directions: scene.occlusion, surroundings: scene.surroundings };
+    let light = light_map(scene.field, settings, progress);
     let samples = scene.image.map(|side| side * scene.supersampling);
     let uniform = ViewUniform::new(view, scene.field, &atmosphere, &lights, aerial.reach, samples);
     let field = scene.field;
@@ -128,14 +150,7 @@ fn bind(gpu: &Gpu, scene: &RenderScene<'_>, view: &View, progress: Progress) -> 
 impl RenderScene<'_> {
     fn validate(&self) -> Result<()> {
         let refuse = |reason: String| Err(RenderError::Scene(reason));
-        if !(1..=8).contains(&self.supersampling) {
-            return refuse(format!("supersampling of {} is not in 1..8", self.supersampling));
-        }
-        let largest = LARGEST / self.supersampling;
-        if self.image.iter().any(|side| !(1..=largest).contains(side)) {
-            let [width, height] = self.image;
-            return refuse(format!("a picture of {width} x {height} is not in 1..{largest} pixels on each side"));
-        }
+        validate_size(self.image, self.supersampling)?;
         if !(0.0..=90.0).contains(&self.sun[1]) || !self.sun[0].is_finite() {
             return refuse(format!("a sun {} degrees above the horizon is not in 0..90", self.sun[1]));
         }
@@ -157,17 +172,28 @@ impl RenderScene<'_> {
         let _phase = progress.phase("terrain patches", 1);
         let bounds = Bounds::new(self.field);
         let tolerance = self.tolerance / view.pixels_per_radian(self.image[1]);
-        let leaves = select(self.field, &bounds, view.eye, tolerance);
+        let leaves = select(self.field, &bounds, view.eye, tolerance, self.rings());
         let patches = visible(self.field, &bounds, view, &leaves);
         log::debug!("{} of {} patches are visible", patches.len(), leaves.len());
         patches
     }
 
-    /// Metres from the eye to the terrain's farthest corner.
+    /// Images on each side of the terrain.
+    fn rings(&self) -> u32 {
+        let [width, depth] = self.field.extent();
+        // Three are as far as a repetition can go before it is noticed.
+        if self.surroundings { (LAND_REACH / width.min(depth)).ceil().clamp(1.0, 3.0) as u32 } else { 0 }
+    }
+
+    /// Metres from the eye to the land's farthest corner.
     fn reach(&self, eye: DVec3) -> f64 {
-        let extent = self.field.extent();
-        let flat = DVec2::new(eye.x.abs().max((eye.x - extent[0]).abs()), eye.z.abs().max((eye.z - extent[1]).abs()));
+        let farthest = |at: f64, extent: f64| {
+            let around = extent * f64::from(self.rings());
+            (at + around).abs().max((at - extent - around).abs())
+        };
+        let [width, depth] = self.field.extent();
         let [low, high] = self.field.range().map(f64::from);
-        flat.extend((eye.y - low).abs().max((eye.y - high).abs())).length()
+        let up = (eye.y - low).abs().max((eye.y - high).abs());
+        DVec3::new(farthest(eye.x, width), up, farthest(eye.z, depth)).length()
     }
 }

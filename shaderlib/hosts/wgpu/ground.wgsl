@@ -4,20 +4,9 @@
 @group(0) @binding(4) var host_height: texture_2d<f32>;
 /// Tangent of the horizon under the sun; with mips.
 @group(0) @binding(5) var host_horizon: texture_2d<f32>;
-/// xyz: (1/π) ∫ ω dω over the visible sky. w: share of the sun's irradiance on the ground around.
-@group(0) @binding(6) var host_light: texture_2d<f32>;
-
-/// What a material may ask for.
-struct HostFrame {
-    position: Place,
-    terrain_uv: Coord,
-    height: f32,
-    slope: f32,
-    normal: vec3f,
-    curvature: f32,
-    distance: f32,
-    sun: vec3f,
-}
+/// Layer 0, xyz: (1/π) ∫ ω dω over the visible sky; w: share of the sun's irradiance on the ground around.
+/// Layer 1: tangents of the horizon under the sun where the terrain is mirrored on neither axis, x, z, both.
+@group(0) @binding(6) var host_light: texture_2d_array<f32>;
 
 /// Slope and bend of the height map: metres per metre, and 1/m.
 struct HostShape { gradient: vec2f, second: vec2f, mixed: f32 }
@@ -94,6 +83,21 @@ fn host_shape_filtered(texel: vec2i, part: vec2f, level: f32) -> HostShape {
     );
 }
 
+/// The shape of a mirror image.
+fn host_shape_mirrored(shape: HostShape, mirror: vec2f) -> HostShape {
+    return HostShape(shape.gradient * mirror, shape.second, shape.mixed * mirror.x * mirror.y);
+}
+
+/// Tangent of the horizon under the sun: fine on the terrain itself, coarse on its images.
+fn host_horizon_at(uv: vec2f, level: f32, mirror: vec2f, itself: bool) -> f32 {
+    if itself {
+        return textureSampleLevel(host_horizon, host_sampler, uv, level).r;
+    }
+    let image = textureSampleLevel(host_light, host_sampler, uv, 1i, 0.0);
+    let rows = select(image.zw, image.xy, mirror.y > 0.0);
+    return select(rows.y, rows.x, mirror.x > 0.0);
+}
+
 fn host_normal(shape: HostShape) -> vec3f {
     return normalize(vec3f(-shape.gradient.x, 1.0, -shape.gradient.y));
 }
@@ -104,13 +108,4 @@ fn host_curvature(shape: HostShape) -> f32 {
     let bend = (1.0 + g.y * g.y) * shape.second.x + (1.0 + g.x * g.x) * shape.second.y - 2.0 * g.x * g.y * shape.mixed;
     let steep = 1.0 + dot(g, g);
     return -0.5 * bend / (steep * sqrt(steep));
-}
-
-/// Share of the sun's disc above a horizon whose tangent is given: the area of a disc cut by a line.
-fn host_sun_visible(horizon: f32) -> f32 {
-    let flat = length(host_view.sun.xz);
-    // Tangent of the angle between the horizon and the sun's middle.
-    let above = (host_view.sun.y - horizon * flat) / max(flat + horizon * host_view.sun.y, 1e-6);
-    let x = clamp(above / host_view.sun_radius, -1.0, 1.0);
-    return 0.5 + (x * sqrt(1.0 - x * x) + asin(x)) * 0.318309886;
 }

@@ -48,6 +48,15 @@ fn host_reflected(direction: vec3f, roughness: f32, land: vec3f) -> vec3f {
     return mix(land, sky, smoothstep(-width, width, direction.y));
 }
 
+/// Share of the sun's disc above a horizon whose tangent is given: the area of a disc cut by a line.
+fn host_sun_visible(horizon: f32) -> f32 {
+    let flat = length(host_view.sun.xz);
+    // Tangent of the angle between the horizon and the sun's middle.
+    let above = (host_view.sun.y - horizon * flat) / max(flat + horizon * host_view.sun.y, 1e-6);
+    let x = clamp(above / host_view.sun_radius, -1.0, 1.0);
+    return 0.5 + (x * sqrt(1.0 - x * x) + asin(x)) * 0.318309886;
+}
+
 /// The light that reaches a place.
 struct HostLight {
     /// Irradiance on a surface that faces the sun, in its shadow or not.
@@ -56,6 +65,8 @@ struct HostLight {
     visible: vec3f,
     /// Share of the sun's irradiance on the ground around.
     around: f32,
+    /// Albedo of that ground.
+    land: vec3f,
 }
 
 /// Radiance of a material towards the eye. `view` points to the eye.
@@ -81,16 +92,16 @@ fn host_shade(material: TerrainOut, ground: vec3f, view: vec3f, light: HostLight
 
     let open = clamp(dot(normal, light.visible), 0.0, 1.0);
     let sky = host_visible_sky(normal, light.visible);
-    // What is not sky is ground of the same material under the light of the neighbourhood.
+    // What is not sky is ground under the light of the neighbourhood.
     let around = host_view.sun_low * light.around + host_sky_irradiance(vec3f(0.0, 1.0, 0.0)) * light.visible.y;
-    let bounce = material.albedo * around * (1.0 - open);
+    let bounce = light.land * around * (1.0 - open);
     radiance += diffuse * (sky + bounce) * (material.occlusion / HOST_PI);
 
     let mirror = reflect(-view, normal);
     let share = host_environment_share(f0, roughness, n_v);
     // Lagarde and de Rousiers, "Moving Frostbite to PBR", 2014, listing 26: occlusion matters less for mirrors.
     let hidden = clamp(pow(n_v + material.occlusion, exp2(-16.0 * roughness - 1.0)) - 1.0 + material.occlusion, 0.0, 1.0);
-    let land = material.albedo * around / HOST_PI;
+    let land = light.land * around / HOST_PI;
     let seen = mix(land, host_reflected(mirror, roughness, land), open);
     return radiance + share * seen * hidden;
 }

@@ -21,8 +21,8 @@ fn resolve_sigmoid(x: vec3f) -> vec3f {
 }
 
 /// AgX: from scene radiance (0.18 is middle grey) to display light, 0..1, linear Rec. 709. Highlights lose colour as film
-/// does. Source: Sobotka, "AgX", 2022, in the form of Wrensch, "Minimal AgX Implementation", 2023, with a look of slightly
-/// more contrast and colour than his base one (his "punchy" has 1.35 and 1.4).
+/// does. Source: Sobotka, "AgX", 2022, in the form of Wrensch, "Minimal AgX Implementation", 2023, with a look a little
+/// softer than his "punchy" one, which has 1.35 and 1.4.
 fn resolve_agx(radiance: vec3f) -> vec3f {
     let inset = mat3x3f(
         vec3f(0.842479062253094, 0.0423282422610123, 0.0423756549057051),
@@ -36,9 +36,9 @@ fn resolve_agx(radiance: vec3f) -> vec3f {
     );
     let stops = log2(max(inset * radiance, vec3f(1e-10)));
     let encoded = max(resolve_sigmoid(clamp((stops + 12.47393) / 16.5, vec3f(0.0), vec3f(1.0))), vec3f(0.0));
-    let contrast = pow(encoded, vec3f(1.15));
+    let contrast = pow(encoded, vec3f(1.3));
     let grey = dot(contrast, vec3f(0.2126, 0.7152, 0.0722));
-    let look = max(outset * (grey + 1.2 * (contrast - grey)), vec3f(0.0));
+    let look = max(outset * (grey + 1.35 * (contrast - grey)), vec3f(0.0));
     return min(pow(look, vec3f(2.2)), vec3f(1.0));
 }
 

@@ -1,14 +1,18 @@
 //! Entry points for terrain: a grid of 33 × 33 vertices per patch, lifted by the height map.
+//!
+//! Patches around the terrain are mirror images of it. `texel` counts in the height map, `unfolded` in the row of images.
 
 struct HostPatch {
-    /// Texel of the north-west corner.
+    /// Texel of the first corner.
     @location(1) texel: vec2i,
-    /// That corner's x and z in 1/256 m.
-    @location(2) origin: vec2i,
+    /// Where that texel lies in the row of images.
+    @location(2) unfolded: vec2i,
+    /// Texels between vertices; negative where the image is mirrored.
+    @location(3) stride: vec2i,
+    /// The corner's x and z in 1/256 m.
+    @location(4) origin: vec2i,
     /// Metres from there to the corner, below 1/256.
-    @location(3) rest: vec2f,
-    /// Texels between vertices.
-    @location(4) step: i32,
+    @location(5) rest: vec2f,
 }
 
 struct HostVertex {
@@ -17,25 +21,31 @@ struct HostVertex {
     /// Metres from the patch's origin; y is the height.
     @location(0) local: vec3f,
     @location(1) @interpolate(flat) texel: vec2i,
-    @location(2) @interpolate(flat) origin: vec2i,
-    @location(3) @interpolate(flat) rest: vec2f,
+    @location(2) @interpolate(flat) unfolded: vec2i,
+    /// 1 or -1.
+    @location(3) @interpolate(flat) mirror: vec2f,
+    @location(4) @interpolate(flat) origin: vec2i,
+    @location(5) @interpolate(flat) rest: vec2f,
 }
 
 @vertex
-fn terrain_vertex(@location(0) corner: vec2u, patch_: HostPatch) -> HostVertex {
+fn terrain_vertex(@location(0) corner: vec2u, tile: HostPatch) -> HostVertex {
     let last = vec2i(textureDimensions(host_height)) - 1i;
     // The terrain ends inside a patch: what lies beyond shrinks to its border.
-    let texel = min(patch_.texel + vec2i(corner) * patch_.step, last);
-    let height = textureLoad(host_height, texel, 0i).r;
-    let local = patch_.rest + vec2f(texel - patch_.texel) * host_view.spacing;
+    let steps = min(vec2i(corner) * abs(tile.stride), last - tile.texel);
+    let height = textureLoad(host_height, tile.texel + steps, 0i).r;
+    let unfolded = tile.unfolded + steps * sign(tile.stride);
+    let local = tile.rest + vec2f(unfolded - tile.unfolded) * host_view.spacing;
     // From whole texels, so that patches that share a vertex agree on it to the last bit.
-    let flat = vec2f(texel - host_view.eye_texel) * host_view.spacing - host_view.eye_offset;
+    let flat = vec2f(unfolded - host_view.eye_texel) * host_view.spacing - host_view.eye_offset;
     var vertex: HostVertex;
     vertex.clip = host_view.clip * vec4f(flat.x, height - host_view.eye_height, flat.y, 1.0);
     vertex.local = vec3f(local.x, height, local.y);
-    vertex.texel = patch_.texel;
-    vertex.origin = patch_.origin;
-    vertex.rest = patch_.rest;
+    vertex.texel = tile.texel;
+    vertex.unfolded = tile.unfolded;
+    vertex.mirror = vec2f(sign(tile.stride));
+    vertex.origin = tile.origin;
+    vertex.rest = tile.rest;
     return vertex;
 }
 
@@ -43,8 +53,8 @@ fn terrain_vertex(@location(0) corner: vec2u, patch_: HostPatch) -> HostVertex {
 fn terrain_fragment(vertex: HostVertex) -> @location(0) vec4f {
     let position = Place(vertex.origin, vertex.local, dpdx(vertex.local), dpdy(vertex.local));
     let size = vec2f(textureDimensions(host_height));
-    let extent = size * host_view.spacing;
-    let across = (position.local.xz - vertex.rest) / host_view.spacing;
+    let extent = size * host_view.spacing * vertex.mirror;
+    let across = (position.local.xz - vertex.rest) / host_view.spacing * vertex.mirror;
     let terrain_uv = Coord(
         (vec2f(vertex.texel) + across + 0.5) / size,
         position.ddx.xz / extent,
@@ -54,10 +64,10 @@ fn terrain_fragment(vertex: HostVertex) -> @location(0) vec4f {
     let footprint = max(length(position.ddx.xz / host_view.spacing), length(position.ddy.xz / host_view.spacing));
     let finest = f32(textureNumLevels(host_height) - 1u);
     let level = clamp(log2(max(footprint, 1e-6)), 0.0, finest);
-    let shape = host_shape_filtered(vertex.texel, across, level);
+    let shape = host_shape_mirrored(host_shape_filtered(vertex.texel, across, level), vertex.mirror);
     let normal = host_normal(shape);
 
-    let flat = vec2f(vertex.texel - host_view.eye_texel) * host_view.spacing - host_view.eye_offset
+    let flat = vec2f(vertex.unfolded - host_view.eye_texel) * host_view.spacing - host_view.eye_offset
         + position.local.xz - vertex.rest;
     let to_eye = -vec3f(flat.x, position.local.y - host_view.eye_height, flat.y);
     let distance = length(to_eye);
@@ -73,10 +83,14 @@ fn terrain_fragment(vertex: HostVertex) -> @location(0) vec4f {
     );
     let material = terrane_shade(frame);
 
-    let horizon = textureSampleLevel(host_horizon, host_sampler, terrain_uv.uv, level).r;
-    let sky = textureSampleLevel(host_light, host_sampler, terrain_uv.uv, 0.0);
+    let itself = all(vertex.unfolded == vertex.texel) && all(vertex.mirror > vec2f(0.0));
+    let horizon = host_horizon_at(terrain_uv.uv, level, vertex.mirror, itself);
+    let sky = textureSampleLevel(host_light, host_sampler, terrain_uv.uv, 0i, 0.0);
+    let visible = vec3f(sky.x * vertex.mirror.x, sky.y, sky.z * vertex.mirror.y);
     let height = saturate((position.local.y - host_view.low) / host_view.height_range);
     let sun = mix(host_view.sun_low, host_view.sun_high, height) * host_sun_visible(horizon);
-    let radiance = host_shade(material, normal, to_eye / distance, HostLight(sun, sky.xyz, sky.w));
+    // Ground is lit by ground of its own kind.
+    let light = HostLight(sun, visible, sky.w, material.albedo);
+    let radiance = host_shade(material, normal, to_eye / distance, light);
     return vec4f(host_through_air(radiance, vertex.clip.xy / host_view.pixels, position.local.y, distance), 1.0);
 }

@@ -60,11 +60,10 @@ impl Daylight {
         Self { sun: atmosphere.sun_irradiance(height), sky, harmonics }
     }
 
-    /// What a hand-held light meter with a dome reads when it is pointed at the sun: the sky's light, and the sun's by
-    /// the dome's cardioid response (1 + cos)/2 averaged over flat ground and a surface that faces the sun (ISO 2720).
+    /// Irradiance of sun and sky on open, flat ground under a sun whose elevation has that sine.
     #[must_use]
-    pub fn metered(&self, elevation_sine: f64) -> DVec3 {
-        self.sun * (0.5 * (1.0 + elevation_sine.max(0.0))) + self.sky
+    pub fn flat(&self, elevation_sine: f64) -> DVec3 {
+        self.sun * elevation_sine.max(0.0) + self.sky
     }
 }
 

@@ -9,14 +9,17 @@ pub const TOP_RADIUS: f64 = 6_460e3;
 
 /// Cosine-weighted mean of the haze's phase function. Hillaire 2020, table 1.
 const HAZE_FORWARD: f64 = 0.8;
-/// Share of the light that haze scatters and does not absorb: rural aerosol. Hillaire 2020, table 1: 3.996 / 4.44.
-const HAZE_ALBEDO: f64 = 0.9;
-/// Wavelengths in µm that stand for red, green and blue. Bruneton 2008.
-const WAVELENGTHS: DVec3 = DVec3::new(0.680, 0.550, 0.440);
-/// Molecules' scattering per metre at height 0. Hillaire 2020, table 1.
-const RAYLEIGH: DVec3 = DVec3::new(5.802e-6, 13.558e-6, 33.1e-6);
-/// Ozone's absorption per metre where it is densest. Hillaire 2020, table 1.
-const OZONE: DVec3 = DVec3::new(0.650e-6, 1.881e-6, 0.085e-6);
+/// Share of the light that haze scatters and does not absorb: between clean and average continental air, 0.97 and 0.93 at
+/// 550 nm (Hess, Koepke and Schult, "Optical Properties of Aerosols and Clouds", 1998, table 4).
+const HAZE_ALBEDO: f64 = 0.95;
+/// Wavelengths in µm that stand for red, green and blue: with them a thin sky and the sun through one to five atmospheres
+/// have the colours that the whole spectrum gives in linear Rec. 709, to a few percent. (Bruneton 2008 has 0.68 for red,
+/// which makes a thin sky too blue by a fifth.)
+const WAVELENGTHS: DVec3 = DVec3::new(0.650, 0.550, 0.440);
+/// Molecules' scattering per metre at height 0. Hillaire 2020, table 1; red moved by λ^−4.08.
+const RAYLEIGH: DVec3 = DVec3::new(6.970e-6, 13.558e-6, 33.1e-6);
+/// Ozone's absorption per metre where it is densest. Hillaire 2020, table 1; red moved along the Chappuis band.
+const OZONE: DVec3 = DVec3::new(1.2e-6, 1.881e-6, 0.085e-6);
 
 /// Coefficients per metre at height 0, and how they thin out.
 #[derive(Clone, Copy, Debug)]

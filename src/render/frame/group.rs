@@ -1,7 +1,5 @@
 //! Group 0: what the renderer gives to every shader of a picture.
 
-use std::borrow::Cow;
-
 use super::texture::{Table, half_colours, half_vectors, halves, mips};
 use super::uniform::ViewUniform;
 use crate::render::air::{AERIAL_CELLS, Aerial, SKY_TEXELS, SkyTable};
@@ -34,7 +32,7 @@ const TEXTURES: [(u32, wgpu::TextureViewDimension, bool); 5] = [
     (2, wgpu::TextureViewDimension::D3, true),
     (4, wgpu::TextureViewDimension::D2, false),
     (5, wgpu::TextureViewDimension::D2, true),
-    (6, wgpu::TextureViewDimension::D2, true),
+    (6, wgpu::TextureViewDimension::D2Array, true),
 ];
 
 impl Bound {
@@ -49,38 +47,52 @@ impl Bound {
 }
 
 impl Tables<'_> {
-    fn sky(&self) -> Table<'_> {
+    fn sky(&self) -> Table {
         let texels = self.sky.texels.iter().map(|&radiance| self.lights.expose(radiance));
         let [width, height] = SKY_TEXELS;
-        let levels = vec![Cow::Owned(half_colours(texels))];
-        Table { label: "sky", size: [width, height, 1], format: wgpu::TextureFormat::Rgba16Float, levels }
+        let levels = vec![half_colours(texels)];
+        Table { levels, ..flat("sky", [width, height], wgpu::TextureFormat::Rgba16Float) }
     }
 
-    fn aerial(&self) -> Table<'_> {
+    fn aerial(&self) -> Table {
         let texels = self.aerial.cells.iter().map(|&radiance| self.lights.expose(radiance));
-        let levels = vec![Cow::Owned(half_colours(texels))];
-        Table { label: "aerial", size: AERIAL_CELLS, format: wgpu::TextureFormat::Rgba16Float, levels }
+        Table {
+            label: "aerial",
+            size: AERIAL_CELLS,
+            dimension: wgpu::TextureViewDimension::D3,
+            format: wgpu::TextureFormat::Rgba16Float,
+            levels: vec![half_colours(texels)],
+        }
     }
 
-    fn height(&self) -> Table<'_> {
-        let [width, height] = self.field.size();
+    fn height(&self) -> Table {
         let levels = mips(self.field.texels(), self.field.size());
-        let levels = levels.into_iter().map(|level| Cow::Owned(bytemuck::cast_slice(&level).to_vec())).collect();
-        Table { label: "height map", size: [width, height, 1], format: wgpu::TextureFormat::R32Float, levels }
+        let levels = levels.into_iter().map(|level| bytemuck::cast_slice(&level).to_vec()).collect();
+        Table { levels, ..flat("height map", self.field.size(), wgpu::TextureFormat::R32Float) }
     }
 
-    fn horizon(&self) -> Table<'_> {
-        let [width, height] = self.light.horizon_size;
+    fn horizon(&self) -> Table {
         let levels = mips(&self.light.horizon, self.light.horizon_size);
-        let levels = levels.into_iter().map(|level| Cow::Owned(halves(&level))).collect();
-        Table { label: "horizon", size: [width, height, 1], format: wgpu::TextureFormat::R16Float, levels }
+        let levels = levels.into_iter().map(|level| halves(&level)).collect();
+        Table { levels, ..flat("horizon", self.light.horizon_size, wgpu::TextureFormat::R16Float) }
     }
 
-    fn light(&self) -> Table<'_> {
+    fn light(&self) -> Table {
         let [width, height] = self.light.sky_size;
-        let levels = vec![Cow::Owned(half_vectors(self.light.sky.iter().copied()))];
-        Table { label: "light map", size: [width, height, 1], format: wgpu::TextureFormat::Rgba16Float, levels }
+        Table {
+            label: "light map",
+            size: [width, height, 2],
+            dimension: wgpu::TextureViewDimension::D2Array,
+            format: wgpu::TextureFormat::Rgba16Float,
+            levels: vec![half_vectors(self.light.sky.iter().chain(&self.light.images).copied())],
+        }
     }
+}
+
+/// A table of one layer that has still to be filled.
+fn flat(label: &'static str, [width, height]: [u32; 2], format: wgpu::TextureFormat) -> Table {
+    let dimension = wgpu::TextureViewDimension::D2;
+    Table { label, size: [width, height, 1], dimension, format, levels: Vec::new() }
 }
 
 fn bind(gpu: &Gpu, view: &ViewUniform, views: &[wgpu::TextureView]) -> Bound {

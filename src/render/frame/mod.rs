@@ -1,18 +1,18 @@
 //! One picture on the device: what is bound, what is drawn, what comes back.
 
+mod full_screen;
 mod group;
 mod readback;
 mod resolve;
-mod sky;
 mod targets;
 mod terrain;
 mod texture;
 mod uniform;
 
+pub(super) use full_screen::FullScreen;
 pub(super) use group::{Bound, Tables};
 pub(super) use readback::read_depth;
 pub(super) use resolve::resolve;
-pub(super) use sky::SkyPipeline;
 pub(super) use targets::Targets;
 pub(super) use terrain::{TerrainDraw, TerrainPipeline};
 pub(super) use uniform::ViewUniform;

@@ -17,17 +17,23 @@ use crate::render::material::MaterialGroup;
 #[derive(Clone, Copy, Debug, Pod, Zeroable)]
 struct Instance {
     texel: [i32; 2],
+    unfolded: [i32; 2],
+    stride: [i32; 2],
     origin: [i32; 2],
     rest: [f32; 2],
-    step: i32,
 }
 
 impl Instance {
     fn new(patch: &Patch, field: &HeightField) -> Self {
-        let metres = [0, 1].map(|axis| (f64::from(patch.texel[axis]) + 0.5) * field.spacing()[axis]);
+        let metres = patch.tile.metres(field, patch.texel);
         let origin = metres.map(|metres| (metres * 256.0).floor());
-        let rest = [0, 1].map(|axis| (metres[axis] - origin[axis] / 256.0) as f32);
-        Self { texel: patch.texel, origin: origin.map(|units| units as i32), rest, step: 1 << patch.level }
+        Self {
+            texel: patch.texel,
+            unfolded: patch.tile.unfold(field, patch.texel),
+            stride: patch.tile.mirror().map(|mirror| mirror << patch.level),
+            origin: origin.map(|units| units as i32),
+            rest: [0, 1].map(|axis| (metres[axis] - origin[axis] / 256.0) as f32),
+        }
     }
 }
 
@@ -67,7 +73,7 @@ fn pipeline(
     light: bool,
 ) -> wgpu::RenderPipeline {
     let corners = wgpu::vertex_attr_array![0 => Uint16x2];
-    let patches = wgpu::vertex_attr_array![1 => Sint32x2, 2 => Sint32x2, 3 => Float32x2, 4 => Sint32];
+    let patches = wgpu::vertex_attr_array![1 => Sint32x2, 2 => Sint32x2, 3 => Sint32x2, 4 => Sint32x2, 5 => Float32x2];
     let buffer = |array_stride, step_mode, attributes| wgpu::VertexBufferLayout { array_stride, step_mode, attributes };
     let targets = [Some(RADIANCE.into())];
     gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
@@ -114,12 +120,13 @@ impl TerrainDraw {
     pub(crate) fn new(gpu: &Gpu, field: &HeightField, patches: &[Patch]) -> Result<Self> {
         let grid = Grid::new();
         let (mut indices, mut instances, mut draws) = (Vec::new(), Vec::new(), Vec::new());
-        for (permutation, list) in grid.indices.iter().enumerate() {
+        for (permutation, flipped) in (0..9).flat_map(|permutation| [(permutation, false), (permutation, true)]) {
             let (first_index, first) = (indices.len() as u32, instances.len() as u32);
-            let these = patches.iter().filter(|patch| patch.permutation() == permutation);
+            let these = patches.iter().filter(|patch| (patch.permutation(), patch.flipped()) == (permutation, flipped));
             instances.extend(these.map(|patch| Instance::new(patch, field)));
             if instances.len() as u32 > first {
-                indices.extend_from_slice(list);
+                let list = grid.indices[permutation].chunks_exact(3);
+                indices.extend(list.flat_map(|t| if flipped { [t[0], t[2], t[1]] } else { [t[0], t[1], t[2]] }));
                 draws.push((first_index..indices.len() as u32, first..instances.len() as u32));
             }
         }

@@ -6,27 +6,28 @@ use crate::render::error::Result;
 use crate::render::gpu::Gpu;
 
 /// A table that a shader reads.
-pub(crate) struct Table<'a> {
+pub(crate) struct Table {
     pub(crate) label: &'static str,
-    /// Texels across, down and along; 1 along for anything flat.
+    /// Texels across, down and along, or layers.
     pub(crate) size: [u32; 3],
+    pub(crate) dimension: wgpu::TextureViewDimension,
     pub(crate) format: wgpu::TextureFormat,
     /// Finest level first.
-    pub(crate) levels: Vec<std::borrow::Cow<'a, [u8]>>,
+    pub(crate) levels: Vec<Vec<u8>>,
 }
 
-impl Table<'_> {
+impl Table {
     /// Creates the texture and fills it.
     pub(crate) fn upload(&self, gpu: &Gpu) -> Result<wgpu::TextureView> {
         let [width, height, depth_or_array_layers] = self.size;
-        let flat = depth_or_array_layers == 1;
+        let solid = self.dimension == wgpu::TextureViewDimension::D3;
         let texture = gpu.checked(self.label, || {
             gpu.device.create_texture(&wgpu::TextureDescriptor {
                 label: Some(self.label),
                 size: wgpu::Extent3d { width, height, depth_or_array_layers },
                 mip_level_count: self.levels.len() as u32,
                 sample_count: 1,
-                dimension: if flat { wgpu::TextureDimension::D2 } else { wgpu::TextureDimension::D3 },
+                dimension: if solid { wgpu::TextureDimension::D3 } else { wgpu::TextureDimension::D2 },
                 format: self.format,
                 usage: wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST,
                 view_formats: &[],
@@ -35,7 +36,8 @@ impl Table<'_> {
         for (level, bytes) in self.levels.iter().enumerate() {
             self.write(gpu, &texture, level as u32, bytes);
         }
-        Ok(texture.create_view(&wgpu::TextureViewDescriptor::default()))
+        let dimension = Some(self.dimension);
+        Ok(texture.create_view(&wgpu::TextureViewDescriptor { dimension, ..Default::default() }))
     }
 
     fn write(&self, gpu: &Gpu, texture: &wgpu::Texture, level: u32, bytes: &[u8]) {

@@ -14,13 +14,13 @@ pub fn visible(field: &HeightField, bounds: &Bounds, view: &View, leaves: &[Patc
     let mut kept: Vec<(f64, Patch)> = leaves
         .iter()
         .filter_map(|patch| {
-            let [x, z] = patch.node();
-            let [low, high] = node_box(field, bounds, patch.level, x, z).map(|corner| corner - view.eye);
+            let bounds = node_box(field, bounds, patch.tile, patch.level, patch.node());
+            let [low, high] = bounds.map(|corner| corner - view.eye);
             let inside = planes.iter().all(|plane| farthest(*plane, low, high).dot(*plane) >= 0.0);
             inside.then(|| (DVec3::ZERO.distance_squared(DVec3::ZERO.clamp(low, high)), *patch))
         })
         .collect();
-    kept.sort_by(|(near, a), (far, b)| near.total_cmp(far).then_with(|| a.texel.cmp(&b.texel)));
+    kept.sort_by(|(near, a), (far, b)| near.total_cmp(far).then_with(|| (a.tile, a.texel).cmp(&(b.tile, b.texel))));
     kept.into_iter().map(|(_, patch)| patch).collect()
 }
 

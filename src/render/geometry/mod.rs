@@ -8,8 +8,10 @@ mod bounds;
 mod cull;
 mod grid;
 mod select;
+mod tile;
 
 pub use bounds::{Bounds, CELLS};
 pub use cull::visible;
 pub use grid::{Grid, VERTICES};
 pub use select::{Patch, Side, select};
+pub use tile::Tile;

@@ -13,6 +13,15 @@ use rayon::prelude::*;
 
 use crate::render::height_field::HeightField;
 
+/// Terrain to sweep, and how far the land around it goes on as its mirror image.
+#[derive(Clone, Copy, Debug)]
+pub struct Land<'a> {
+    /// The terrain.
+    pub field: &'a HeightField,
+    /// Metres over which land beyond the border still throws shadows; 0 for a terrain that stands alone.
+    pub beyond: f64,
+}
+
 /// The tangent of a horizon where nothing stands in the way: 76 degrees below the horizontal.
 pub const OPEN: f32 = -4.0;
 
@@ -30,8 +39,9 @@ impl Horizons {
     /// Horizons as seen towards `direction` (x east, z south; its length does not matter). `done` is called as lines are
     /// finished, with their number.
     #[must_use]
-    pub fn new(field: &HeightField, direction: DVec2, done: &(dyn Fn(u64) + Sync)) -> Self {
-        let sweep = Sweep::new(field, direction);
+    pub fn new(land: Land<'_>, direction: DVec2, done: &(dyn Fn(u64) + Sync)) -> Self {
+        let field = land.field;
+        let sweep = Sweep::new(land, direction);
         let lines: Vec<Line> = (0..sweep.lines)
             .into_par_iter()
             .map(|line| {
@@ -52,8 +62,8 @@ impl Horizons {
 
     /// Lines of a sweep: what `done` adds up to.
     #[must_use]
-    pub fn lines(field: &HeightField, direction: DVec2) -> u64 {
-        Sweep::new(field, direction).lines as u64
+    pub fn lines(land: Land<'_>, direction: DVec2) -> u64 {
+        Sweep::new(land, direction).lines as u64
     }
 }
 
@@ -81,10 +91,13 @@ struct Sweep<'a> {
     /// Minor coordinate of line 0 at step 0.
     first: i64,
     lines: usize,
+    /// Steps before the map, and texels beside it, whose heights count.
+    ahead: i64,
+    aside: i64,
 }
 
 impl<'a> Sweep<'a> {
-    fn new(field: &'a HeightField, direction: DVec2) -> Self {
+    fn new(Land { field, beyond }: Land<'a>, direction: DVec2) -> Self {
         let texels = [direction.x / field.spacing()[0], direction.y / field.spacing()[1]];
         let major = usize::from(texels[1].abs() > texels[0].abs());
         let minor = 1 - major;
@@ -96,7 +109,10 @@ impl<'a> Sweep<'a> {
         let last = across + (-drift).max(0.0).ceil() as i64;
         let stride = field.spacing()[major].hypot(slope * field.spacing()[minor]);
         let from_high = texels[major] > 0.0;
-        Self { field, major, from_high, slope, steps, across, stride, first, lines: (last - first + 1) as usize }
+        let ahead = (beyond / stride).ceil() as i64;
+        let aside = (ahead as f64 * slope.abs()).ceil() as i64;
+        let lines = (last - first + 1) as usize;
+        Self { field, major, from_high, slope, steps, across, stride, first, lines, ahead, aside }
     }
 
     /// Whole and broken part of a line's drift after some steps; every line has the same.
@@ -108,12 +124,13 @@ impl<'a> Sweep<'a> {
     fn height(&self, step: i64, minor: i64) -> f64 {
         let major = if self.from_high { self.steps - 1 - step } else { step };
         let texel = if self.major == 0 { [major, minor] } else { [minor, major] };
-        f64::from(self.field.at(texel[0], texel[1]))
+        f64::from(self.field.mirrored(texel[0], texel[1]))
     }
 
     fn line(&self, line: usize) -> Line {
         let mut hull = Hull::default();
         let mut answers = Line { low: vec![OPEN; self.steps as usize], high: vec![OPEN; self.steps as usize] };
+        (-self.ahead - NEAR..-NEAR).for_each(|step| self.lift(&mut hull, line, step));
         for step in 0..self.steps {
             self.lift(&mut hull, line, step - NEAR);
             let (whole, part) = self.drift(step);
@@ -133,7 +150,7 @@ impl<'a> Sweep<'a> {
     fn lift(&self, hull: &mut Hull, line: usize, step: i64) {
         let (whole, part) = self.drift(step);
         let low = self.first + line as i64 + whole;
-        if step >= 0 && low >= -1 && low < self.across {
+        if step >= -self.ahead && low >= -1 - self.aside && low < self.across + self.aside {
             hull.push(step as f64 * self.stride, self.between(step, low, part));
         }
     }
@@ -157,7 +174,8 @@ impl<'a> Sweep<'a> {
         let slope = |back: i64| {
             let drift = minor as f64 - self.slope * back as f64;
             let low = drift.floor();
-            let inside = step >= back && drift >= 0.0 && drift <= (self.across - 1) as f64;
+            let aside = self.aside as f64;
+            let inside = step + self.ahead >= back && drift >= -aside && drift <= (self.across - 1) as f64 + aside;
             inside.then(|| (self.between(step - back, low as i64, drift - low) - height) / (back as f64 * self.stride))
         };
         (1..=NEAR).filter_map(slope).fold(f64::from(OPEN), f64::max) as f32

@@ -3,7 +3,7 @@
 use glam::{DVec2, DVec3, Vec3, Vec4};
 use rayon::prelude::*;
 
-use super::horizon::{Horizons, OPEN};
+use super::horizon::{Horizons, Land, OPEN};
 use super::visibility::{sky_lines, sky_visibility};
 use crate::render::height_field::HeightField;
 use crate::render::progress::Progress;
@@ -11,8 +11,24 @@ use crate::render::progress::Progress;
 /// The sky varies slowly over the ground: this many texels on a side are enough.
 const SKY_TEXELS: u32 = 1024;
 
+/// Metres from the border at which land beyond it still hides sky.
+const SKY_REACH: f64 = 1000.0;
+
 /// Metres over which ground lights ground.
 const BOUNCE_REACH: f64 = 120.0;
+
+/// What is asked of a light map.
+#[derive(Clone, Copy, Debug)]
+pub struct LightSettings {
+    /// Unit vector to the sun.
+    pub sun: DVec3,
+    /// Whether the terrain hides the sun.
+    pub shadow: bool,
+    /// Directions in which the sky is looked at, 0 for an open one.
+    pub directions: u32,
+    /// Whether mirror images of the terrain lie around it.
+    pub surroundings: bool,
+}
 
 /// Light at terrain scale.
 #[derive(Clone, Debug)]
@@ -21,37 +37,74 @@ pub struct LightMap {
     pub horizon_size: [u32; 2],
     /// Tangent of the horizon under the sun.
     pub horizon: Vec<f32>,
-    /// Texels of `sky`.
+    /// Texels of `sky` and `images`.
     pub sky_size: [u32; 2],
     /// [`super::SkyVisibility`] in xyz; in w the part of the sun's irradiance that the ground around receives on average.
     pub sky: Vec<Vec4>,
+    /// Tangent of the horizon under the sun where the terrain is mirrored on neither axis, x, z, both.
+    pub images: Vec<Vec4>,
 }
 
-/// Computes the light map: `shadow` asks for the sun's, `directions` (0 for none) for the sky's.
+/// Computes the light map.
 #[must_use]
-pub fn light_map(field: &HeightField, sun: DVec3, shadow: bool, directions: u32, progress: Progress) -> LightMap {
-    let horizon = if shadow { sun_horizon(field, sun, progress) } else { vec![OPEN] };
+pub fn light_map(field: &HeightField, settings: LightSettings, progress: Progress) -> LightMap {
+    let LightSettings { sun, shadow, directions, surroundings } = settings;
+    let sky_reach = if surroundings { SKY_REACH } else { 0.0 };
+    let sun_reach = if surroundings { shadow_length(field, sun) } else { 0.0 };
+    let horizon = if shadow { sun_horizon(Land { field, beyond: sun_reach }, sun, progress) } else { vec![OPEN] };
     let horizon_size = if shadow { field.size() } else { [1, 1] };
+    let coarse = coarse(field);
+    let size = if directions > 0 || (shadow && surroundings) { coarse.size() } else { [1, 1] };
+    let texels = (size[0] * size[1]) as usize;
+    let images = if shadow && surroundings {
+        image_horizons(Land { field: &coarse, beyond: sun_reach }, sun, progress)
+    } else {
+        vec![Vec4::splat(OPEN); texels]
+    };
+    let around = blurred(shrunk(sunny_ground(field, &horizon, sun), field.size(), coarse.size()), &coarse);
+    let sky = if directions > 0 {
+        let land = Land { field: &coarse, beyond: sky_reach };
+        let phase = progress.phase("sky visibility", sky_lines(land, directions));
+        let vectors = sky_visibility(land, directions, &|lines| phase.advance(lines)).vectors;
+        vectors.into_iter().zip(around).map(|(vector, sun)| vector.extend(sun)).collect()
+    } else {
+        let mean = around.iter().map(|&sun| f64::from(sun)).sum::<f64>() / around.len() as f64;
+        vec![Vec3::Y.extend(mean as f32); texels]
+    };
+    LightMap { horizon_size, horizon, sky_size: size, sky, images }
+}
+
+/// The terrain with at most [`SKY_TEXELS`] on a side.
+fn coarse(field: &HeightField) -> HeightField {
     let mut coarse = field.clone();
     while coarse.size().iter().any(|&side| side > SKY_TEXELS) {
         coarse = coarse.halved();
     }
-    let sunny = sunny_ground(field, &horizon, sun);
-    if directions == 0 {
-        let mean = sunny.iter().map(|&s| f64::from(s)).sum::<f64>() / sunny.len() as f64;
-        return LightMap { horizon_size, horizon, sky_size: [1, 1], sky: vec![Vec3::Y.extend(mean as f32)] };
-    }
-    let phase = progress.phase("sky visibility", sky_lines(&coarse, directions));
-    let vectors = sky_visibility(&coarse, directions, &|lines| phase.advance(lines)).vectors;
-    let around = blurred(shrunk(sunny, field, &coarse), &coarse);
-    let sky = vectors.into_iter().zip(around).map(|(vector, sun)| vector.extend(sun)).collect();
-    LightMap { horizon_size, horizon, sky_size: coarse.size(), sky }
+    coarse
 }
 
-fn sun_horizon(field: &HeightField, sun: DVec3, progress: Progress) -> Vec<f32> {
+/// Metres behind the highest peak that its shadow can reach, and no more than the terrain's own length.
+fn shadow_length(field: &HeightField, sun: DVec3) -> f64 {
+    let [low, high] = field.range().map(f64::from);
+    let longest = field.extent()[0].max(field.extent()[1]);
+    ((high - low) * sun.x.hypot(sun.z) / sun.y.max(1e-6)).min(longest)
+}
+
+fn sun_horizon(land: Land<'_>, sun: DVec3, progress: Progress) -> Vec<f32> {
     let direction = DVec2::new(sun.x, sun.z);
-    let phase = progress.phase("sun horizon", Horizons::lines(field, direction));
-    Horizons::new(field, direction, &|lines| phase.advance(lines)).tangents
+    let phase = progress.phase("sun horizon", Horizons::lines(land, direction));
+    Horizons::new(land, direction, &|lines| phase.advance(lines)).tangents
+}
+
+/// Seen from a mirror image, it is the sun that is mirrored.
+fn image_horizons(land: Land<'_>, sun: DVec3, progress: Progress) -> Vec<Vec4> {
+    let directions =
+        [[1.0, 1.0], [-1.0, 1.0], [1.0, -1.0], [-1.0, -1.0]].map(|[x, z]| DVec2::new(x * sun.x, z * sun.z));
+    let lines = directions.iter().map(|&direction| Horizons::lines(land, direction)).sum();
+    let phase = progress.phase("sun horizon around", lines);
+    let [itself, x, z, both] =
+        directions.map(|direction| Horizons::new(land, direction, &|lines| phase.advance(lines)).tangents);
+    (0..itself.len()).map(|i| Vec4::new(itself[i], x[i], z[i], both[i])).collect()
 }
 
 /// Cosine to the sun for each texel, 0 in shadow.
@@ -72,11 +125,9 @@ fn sunny_ground(field: &HeightField, horizon: &[f32], sun: DVec3) -> Vec<f32> {
     lit
 }
 
-/// Halves a map until it is as small as `coarse`.
-fn shrunk(texels: Vec<f32>, field: &HeightField, coarse: &HeightField) -> Vec<f32> {
-    let mut size = field.size();
-    let mut texels = texels;
-    while size != coarse.size() {
+/// Halves a map until it has `coarse` texels.
+fn shrunk(mut texels: Vec<f32>, mut size: [u32; 2], coarse: [u32; 2]) -> Vec<f32> {
+    while size != coarse {
         let smaller = size.map(|side| side.div_ceil(2).max(2));
         let at = |x: u32, z: u32| texels[(z.min(size[1] - 1) * size[0] + x.min(size[0] - 1)) as usize];
         texels = (0..smaller[0] * smaller[1])

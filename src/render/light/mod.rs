@@ -4,6 +4,6 @@ mod horizon;
 mod map;
 mod visibility;
 
-pub use horizon::{Horizons, OPEN};
-pub use map::{LightMap, light_map};
+pub use horizon::{Horizons, Land, OPEN};
+pub use map::{LightMap, LightSettings, light_map};
 pub use visibility::{SkyVisibility, sky_visibility};

@@ -5,8 +5,7 @@ use std::f64::consts::{PI, TAU};
 use glam::{DVec2, Vec3};
 use rayon::prelude::*;
 
-use super::horizon::Horizons;
-use crate::render::height_field::HeightField;
+use super::horizon::{Horizons, Land};
 
 /// The sky over every texel.
 #[derive(Clone, Debug)]
@@ -19,10 +18,10 @@ pub struct SkyVisibility {
 
 /// Sweeps the map in `directions` azimuths (8 or 16 are enough for hills). `done` is called with finished lines.
 #[must_use]
-pub fn sky_visibility(field: &HeightField, directions: u32, done: &(dyn Fn(u64) + Sync)) -> SkyVisibility {
-    let mut vectors = vec![Vec3::ZERO; field.texels().len()];
+pub fn sky_visibility(land: Land<'_>, directions: u32, done: &(dyn Fn(u64) + Sync)) -> SkyVisibility {
+    let mut vectors = vec![Vec3::ZERO; land.field.texels().len()];
     for azimuth in azimuths(directions) {
-        let horizons = Horizons::new(field, azimuth, done);
+        let horizons = Horizons::new(land, azimuth, done);
         vectors.par_iter_mut().zip(&horizons.tangents).for_each(|(vector, &tangent)| {
             *vector += sector(azimuth, f64::from(tangent), TAU / f64::from(directions));
         });
@@ -32,8 +31,8 @@ pub fn sky_visibility(field: &HeightField, directions: u32, done: &(dyn Fn(u64) 
 
 /// Lines of all sweeps: what `done` of [`sky_visibility`] adds up to.
 #[must_use]
-pub(super) fn sky_lines(field: &HeightField, directions: u32) -> u64 {
-    azimuths(directions).map(|azimuth| Horizons::lines(field, azimuth)).sum()
+pub(super) fn sky_lines(land: Land<'_>, directions: u32) -> u64 {
+    azimuths(directions).map(|azimuth| Horizons::lines(land, azimuth)).sum()
 }
 
 /// Half a step off the axes, so that the lines of no direction run along a row of texels.

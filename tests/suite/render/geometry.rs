@@ -28,10 +28,13 @@ fn triangles(field: &HeightField, grid: &Grid, patch: &Patch) -> Vec<[Vertex; 3]
     let last = field.size().map(|side| side as i32 - 1);
     let vertex = |index: u16| {
         let corner = grid.vertices[usize::from(index)].map(|place| i32::from(place) << patch.level);
-        ((patch.texel[0] + corner[0]).min(last[0]), (patch.texel[1] + corner[1]).min(last[1]))
+        let texel = [(patch.texel[0] + corner[0]).min(last[0]), (patch.texel[1] + corner[1]).min(last[1])];
+        let [x, z] = patch.tile.unfold(field, texel);
+        (x, z)
     };
     let list = &grid.indices[patch.permutation()];
-    list.chunks_exact(3).map(|t| [vertex(t[0]), vertex(t[1]), vertex(t[2])]).collect()
+    let turned = |t: &[u16]| if patch.flipped() { [t[0], t[2], t[1]] } else { [t[0], t[1], t[2]] };
+    list.chunks_exact(3).map(|t| turned(t).map(vertex)).collect()
 }
 
 /// Twice the area; positive counter-clockwise seen from above, where z grows down the page.
@@ -42,7 +45,7 @@ fn area([a, b, c]: [Vertex; 3]) -> i64 {
 
 /// Every edge inside the terrain is run through twice, once each way, between the same two vertices: neighbours match
 /// vertex for vertex, there is no T-junction, hole or overlap.
-fn assert_watertight(field: &HeightField, patches: &[Patch]) {
+fn assert_watertight(field: &HeightField, patches: &[Patch], rings: i32) {
     let grid = Grid::new();
     let last = field.size().map(|side| side as i32 - 1);
     let mut edges: BTreeMap<(Vertex, Vertex), i32> = BTreeMap::new();
@@ -59,13 +62,13 @@ fn assert_watertight(field: &HeightField, patches: &[Patch]) {
             *edges.entry((from.min(to), from.max(to))).or_default() += if from < to { 1 } else { -1 };
         }
     }
-    let border = |a: Vertex, b: Vertex| {
-        (a.0 == b.0 && (a.0 == 0 || a.0 == last[0])) || (a.1 == b.1 && (a.1 == 0 || a.1 == last[1]))
-    };
+    let end = |place: i32, last: i32| place == -rings * last || place == (rings + 1) * last;
+    let border = |a: Vertex, b: Vertex| (a.0 == b.0 && end(a.0, last[0])) || (a.1 == b.1 && end(a.1, last[1]));
     for ((from, to), balance) in edges {
         assert_eq!(balance.abs(), i32::from(border(from, to)), "the edge {from:?} {to:?} has one side");
     }
-    assert_eq!(covered, 2 * i64::from(last[0]) * i64::from(last[1]));
+    let tiles = i64::from((2 * rings + 1) * (2 * rings + 1));
+    assert_eq!(covered, 2 * tiles * i64::from(last[0]) * i64::from(last[1]));
 }
 
 #[test]
@@ -74,8 +77,8 @@ fn leaves_meet_vertex_for_vertex_wherever_the_camera_is() {
     let bounds = Bounds::new(&field);
     let mut permutations = [false; 9];
     for eye in eyes(&field, 60) {
-        let patches = select(&field, &bounds, eye, 0.002);
-        assert_watertight(&field, &patches);
+        let patches = select(&field, &bounds, eye, 0.002, 0);
+        assert_watertight(&field, &patches, 0);
         patches.iter().for_each(|patch| permutations[patch.permutation()] = true);
     }
     assert_eq!(permutations, [true; 9], "the cameras do not reach every permutation");
@@ -88,7 +91,8 @@ fn leaves_meet_on_terrain_that_is_no_power_of_two() {
         let field = HeightField::new(size, [3.0, 5.0], heights).expect("finite heights");
         let bounds = Bounds::new(&field);
         for eye in eyes(&field, 20) {
-            assert_watertight(&field, &select(&field, &bounds, eye, 0.05));
+            assert_watertight(&field, &select(&field, &bounds, eye, 0.05, 0), 0);
+            assert_watertight(&field, &select(&field, &bounds, eye, 0.05, 2), 2);
         }
     }
 }
@@ -98,7 +102,7 @@ fn no_texel_is_farther_from_its_leaf_than_the_tolerance_seen_from_the_eye() {
     let field = mountains(257, 6.0);
     let bounds = Bounds::new(&field);
     let (eye, tolerance) = (DVec3::new(300.0, 900.0, 500.0), 0.004);
-    let patches = select(&field, &bounds, eye, tolerance);
+    let patches = select(&field, &bounds, eye, tolerance, 0);
     assert!(patches.iter().any(|patch| patch.level > 0), "nothing is simplified");
     for patch in &patches {
         let [x, z] = patch.node();
@@ -147,7 +151,7 @@ fn what_the_camera_sees_is_kept() {
     let bounds = Bounds::new(&field);
     let camera = Camera { eye: [200.0, 900.0, 300.0], target: [1200.0, 300.0, 1500.0], fov: 50.0 };
     let view = camera.view(1280, 720).expect("a good camera");
-    let leaves = select(&field, &bounds, view.eye, 0.002);
+    let leaves = select(&field, &bounds, view.eye, 0.002, 0);
     let kept = terrane::render::geometry::visible(&field, &bounds, &view, &leaves);
     assert!(kept.len() < leaves.len(), "nothing is culled");
     let clip = view.clip_from_eye().as_dmat4();

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use glam::{DVec2, DVec3};
 use terrane::render::HeightField;
-use terrane::render::light::{Horizons, OPEN, sky_visibility};
+use terrane::render::light::{Horizons, Land, OPEN, sky_visibility};
 
 use super::world::mountains;
 
@@ -33,7 +33,7 @@ fn horizons_agree_with_brute_force() {
     let field = mountains(96, 24.0);
     for azimuth in [0.0, 0.3, 0.785, 1.1, 1.6, 2.3, 3.1, 3.9, 4.7, 5.9] {
         let direction = DVec2::from_angle(azimuth);
-        let horizons = Horizons::new(&field, direction, &|_| ());
+        let horizons = Horizons::new(Land { field: &field, beyond: 0.0 }, direction, &|_| ());
         let mut errors: Vec<f64> = Vec::new();
         for row in 2..94 {
             for column in 2..94 {
@@ -54,7 +54,7 @@ fn horizons_agree_with_brute_force() {
 fn horizons_are_exact_along_the_axes() {
     let field = mountains(64, 20.0);
     for direction in [DVec2::X, -DVec2::X, DVec2::Y, -DVec2::Y] {
-        let horizons = Horizons::new(&field, direction, &|_| ());
+        let horizons = Horizons::new(Land { field: &field, beyond: 0.0 }, direction, &|_| ());
         for (index, &swept) in horizons.tangents.iter().enumerate() {
             let exact = brute_force(&field, index as u32 % 64, index as u32 / 64, direction);
             assert!((f64::from(swept) - exact).abs() < 1e-5, "{direction}, texel {index}: {swept}, not {exact}");
@@ -66,7 +66,7 @@ fn horizons_are_exact_along_the_axes() {
 fn a_wall_throws_the_shadow_that_its_height_gives() {
     let heights = (0..64 * 64).map(|i| if i % 64 == 40 { 30.0 } else { 0.0 }).collect();
     let field = HeightField::new([64, 64], [2.0, 2.0], heights).expect("finite heights");
-    let horizons = Horizons::new(&field, DVec2::X, &|_| ());
+    let horizons = Horizons::new(Land { field: &field, beyond: 0.0 }, DVec2::X, &|_| ());
     for column in 0..40 {
         let tangent = horizons.tangents[32 * 64 + column];
         let exact = 30.0 / (2.0 * (40 - column) as f32);
@@ -78,7 +78,7 @@ fn a_wall_throws_the_shadow_that_its_height_gives() {
 #[test]
 fn an_open_plain_sees_the_whole_sky() {
     let field = HeightField::new([32, 32], [1.0, 1.0], vec![7.0; 32 * 32]).expect("finite heights");
-    for vector in sky_visibility(&field, 8, &|_| ()).vectors {
+    for vector in sky_visibility(Land { field: &field, beyond: 0.0 }, 8, &|_| ()).vectors {
         assert!((vector - glam::Vec3::Y).length() < 1e-5, "{vector}");
     }
 }
@@ -90,7 +90,7 @@ fn a_slope_loses_the_sky_behind_it() {
     let heights = (0..128 * 128).map(|i| (i % 128) as f32 * 0.75).collect();
     let field = HeightField::new([128, 128], [1.0, 1.0], heights).expect("finite heights");
     let normal = DVec3::new(-0.75, 1.0, 0.0).normalize();
-    let vectors = sky_visibility(&field, 64, &|_| ()).vectors;
+    let vectors = sky_visibility(Land { field: &field, beyond: 0.0 }, 64, &|_| ()).vectors;
     let seen = vectors[64 * 128 + 64].as_dvec3().dot(normal);
     let exact = (1.0 + normal.y) / 2.0;
     assert!((seen - exact).abs() < 2e-3, "{seen}, not {exact}");
@@ -99,7 +99,7 @@ fn a_slope_loses_the_sky_behind_it() {
 #[test]
 fn visible_sky_agrees_with_brute_force() {
     let field = mountains(64, 30.0);
-    let swept = sky_visibility(&field, 16, &|_| ()).vectors;
+    let swept = sky_visibility(Land { field: &field, beyond: 0.0 }, 16, &|_| ()).vectors;
     let mut worst = 0.0_f64;
     let mut sum = 0.0;
     for row in (8..56).step_by(4) {

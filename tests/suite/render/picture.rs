@@ -16,6 +16,7 @@ fn scene<'a>(field: &'a HeightField, shader: &'a str, material: &'a Material, ca
         field,
         shadow: true,
         occlusion: 4,
+        surroundings: false,
         camera,
         sun: [130.0, 28.0],
         turbidity: 3.0,

@@ -3,7 +3,7 @@
 use terrane::render::{Gpu, HeightField, RenderError, Selection};
 use terrane_codegen::diagnostic::Sources;
 use terrane_codegen::library::Library;
-use terrane_shaderlib::hosts;
+use terrane_shaderlib::{SourceFile, hosts};
 
 use crate::skip::Skip;
 
@@ -53,10 +53,15 @@ fn hash(i: f64, j: f64, seed: u32) -> f64 {
     f64::from(word ^ (word >> 16)) / f64::from(u32::MAX)
 }
 
-/// A complete host shader around a hand-written core.
+/// A complete terrain shader around a hand-written core.
 pub(crate) fn shader(core: &str) -> String {
+    shader_in(hosts::WGPU_TERRAIN, core)
+}
+
+/// A complete shader of any host around a hand-written core.
+pub(crate) fn shader_in(host: &[SourceFile], core: &str) -> String {
     let library = Library::load(&mut Sources::default(), &[]).expect("the library is sound");
-    let host = hosts::join(hosts::WGPU_TERRAIN);
+    let host = hosts::join(host);
     let used = library.closure(&format!("{core}{host}"));
     let items: String = used.into_iter().flat_map(|item| [library.slice(item), "\n\n"]).collect();
     format!("{items}{core}{host}")
