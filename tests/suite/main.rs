@@ -1,6 +1,7 @@
 //! The one integration-test binary.
 
 mod content;
+mod embed;
 mod house;
 mod library;
 mod random;
