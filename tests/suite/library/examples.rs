@@ -24,7 +24,7 @@ fn ty(expected: &str) -> &str {
 
 fn components(value: &Value<F32>) -> Vec<f64> {
     let count = value.components.len();
-    let integer = |index| value.int_at(index, 0).map(|value| f64::from(value));
+    let integer = |index| value.int_at(index, 0).map(f64::from);
     (0..count).filter_map(|index| value.float_at(index, 0).map(f64::from).or_else(|| integer(index))).collect()
 }
 

@@ -8,7 +8,7 @@ use std::cell::RefCell;
 use terrane_codegen::machine::domain::{
     FloatBinary, FloatComparison, FloatTernary, FloatUnary, IntBinary, IntComparison, IntUnary, TruthBinary,
 };
-use terrane_codegen::machine::{Domain, F32};
+use terrane_codegen::machine::{Domain, F32, Load, Sample, Textures};
 
 thread_local! {
     static FIRST: RefCell<Option<String>> = const { RefCell::new(None) };
@@ -154,10 +154,16 @@ impl Domain for Watched {
     fn known(x: u32) -> Option<u32> {
         F32::known(x)
     }
-    fn middle(x: f32) -> f64 {
-        F32::middle(x)
+    fn candidates(x: u32) -> Option<Vec<u32>> {
+        F32::candidates(x)
     }
-    fn measured(value: f64) -> f32 {
-        F32::measured(value)
+    fn sample(textures: &dyn Textures, sample: &Sample<f32, u32>) -> Option<[f32; 4]> {
+        F32::sample(textures, sample)
+    }
+    fn load(textures: &dyn Textures, load: &Load<u32>) -> Option<[f32; 4]> {
+        F32::load(textures, load)
+    }
+    fn load_int(textures: &dyn Textures, load: &Load<u32>) -> Option<[u32; 4]> {
+        F32::load_int(textures, load)
     }
 }
