@@ -7,6 +7,7 @@ mod errors;
 mod integers;
 mod library;
 mod memory;
+mod probe;
 mod random;
 mod rounding;
 mod speed;

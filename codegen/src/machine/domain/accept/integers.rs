@@ -1,5 +1,7 @@
 //! Sets of 32-bit integers: a few values, or a range.
 
+use std::fmt;
+
 use super::super::{IntBinary, IntComparison};
 use super::Three;
 
@@ -164,6 +166,15 @@ impl Integers {
             IntComparison::LessEqual => Three::of(a.1 <= b.0, a.0 > b.1),
             IntComparison::LessSigned => Three::of(c.1 < d.0, c.0 >= d.1),
             IntComparison::LessEqualSigned => Three::of(c.1 <= d.0, c.0 > d.1),
+        }
+    }
+}
+
+impl fmt::Display for Integers {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.values() {
+            Some(values) => write!(f, "{values:?}"),
+            None => write!(f, "{} ..= {}", self.range.0, self.range.1),
         }
     }
 }
