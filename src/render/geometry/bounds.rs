@@ -28,6 +28,7 @@ struct Level {
 /// The quadtree over a height field, finest level first; the last level is one node.
 #[derive(Clone, Debug)]
 pub struct Bounds {
+    cells: [u32; 2],
     levels: Vec<Level>,
 }
 
@@ -39,11 +40,17 @@ impl Bounds {
         loop {
             let finer = levels.last();
             if finer.is_some_and(|level| level.nodes == [1, 1]) {
-                return Self { levels };
+                return Self { cells: field.size().map(|side| side - 1), levels };
             }
             let level = Level::new(field, levels.len() as u32, finer);
             levels.push(level);
         }
+    }
+
+    /// Cells of the height map on x and z.
+    #[must_use]
+    pub fn cells(&self) -> [u32; 2] {
+        self.cells
     }
 
     /// Number of levels; the root is on the last.

@@ -134,17 +134,36 @@ impl<'a> Forest<'a> {
     }
 
     /// A split node's neighbours must exist on its own level, so that its children meet leaves one level coarser at most.
-    /// From fine to coarse, once: what a level adds is only above it.
+    /// From fine to coarse, once: what a level adds is only above it, or on it in an image of the same node.
     fn balance(&mut self) {
-        for level in 0..self.top() {
-            let [columns, rows] = self.bounds.nodes(level);
-            for tile in Tile::around(self.rings as u32) {
-                for index in 0..columns * rows {
-                    let node = Node { tile, level, x: index % columns, z: index / columns };
-                    if self.is_split(node) {
-                        self.ensure_neighbours(node);
-                    }
-                }
+        for level in 0..=self.top() {
+            let split = |forest: &Self| forest.nodes(level).filter(|&node| forest.is_split(node)).collect::<Vec<_>>();
+            // Twice, for an image of an image.
+            for _ in 0..2 {
+                split(self).into_iter().for_each(|node| self.ensure_images(node));
+            }
+            if level < self.top() {
+                split(self).into_iter().for_each(|node| self.ensure_neighbours(node));
+            }
+        }
+    }
+
+    fn nodes(&self, level: u32) -> impl Iterator<Item = Node> + use<> {
+        let [columns, rows] = self.bounds.nodes(level);
+        Tile::around(self.rings as u32).flat_map(move |tile| {
+            (0..columns * rows).map(move |index| Node { tile, level, x: index % columns, z: index / columns })
+        })
+    }
+
+    /// Where a node's children do not end at the border, or have no sibling there, they meet their images with a side that
+    /// cannot leave out vertices: the node and its image must be split alike.
+    fn ensure_images(&mut self, node: Node) {
+        for axis in [0, 1] {
+            let child = (CELLS << node.level) / 2;
+            let even = self.bounds.cells()[axis].is_multiple_of(2 * child);
+            let last = [node.x, node.z][axis] == self.bounds.nodes(node.level)[axis] - 1;
+            if let Some(image) = self.beside(node, axis, 1).filter(|_| last && !even) {
+                self.set_split(image);
             }
         }
     }
