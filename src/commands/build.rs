@@ -56,11 +56,11 @@ fn compile(project: &mut Project, path: &str) -> Result<Compiled, Failure> {
     let (compiled, warnings) = if surface {
         let (graphs, surface, warnings) =
             project.surface(path).map_err(|found| project::findings(&found, &project.sources))?;
-        (project::compiler(project).surface(&graphs, surface), warnings)
+        (project::compiler(project, &project::TERRAIN_HOST).surface(&graphs, surface), warnings)
     } else {
         let (graphs, terrain, warnings) =
             project.terrain(path).map_err(|found| project::findings(&found, &project.sources))?;
-        (project::compiler(project).terrain(&graphs, &terrain), warnings)
+        (project::compiler(project, &project::TERRAIN_HOST).terrain(&graphs, &terrain), warnings)
     };
     project::warn(&warnings, &project.sources);
     compiled.map_err(|found| project::findings(&found, &project.sources))

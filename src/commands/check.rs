@@ -53,11 +53,11 @@ fn compile(project: &mut Project, path: &str) -> Result<(), Vec<Diagnostic>> {
     match project.role(path) {
         Some(FileRole::Terrain) => {
             let (graphs, terrain, _) = project.terrain(path)?;
-            project::compiler(project).terrain(&graphs, &terrain)?;
+            project::compiler(project, &project::TERRAIN_HOST).terrain(&graphs, &terrain)?;
         }
         Some(FileRole::Surface) => {
             let (graphs, surface, _) = project.surface(path)?;
-            project::compiler(project).surface(&graphs, surface)?;
+            project::compiler(project, &project::TERRAIN_HOST).surface(&graphs, surface)?;
         }
         _ => {}
     }

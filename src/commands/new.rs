@@ -8,7 +8,9 @@ use super::Failure;
 
 /// Start a project: two surfaces, an instance, a terrain and a scene
 #[derive(Debug, clap::Args)]
-#[command(after_help = "Example:\n  terrane new my_terrain && cd my_terrain && terrane render graphs/scenes/first_light.ron")]
+#[command(
+    after_help = "Example:\n  terrane new my_terrain && cd my_terrain && terrane render graphs/scenes/first_light.ron"
+)]
 pub(crate) struct New {
     /// The folder to make; it must not be there, or be empty
     #[arg(value_name = "DIR")]

@@ -40,9 +40,13 @@ pub(super) fn warn(found: &[Diagnostic], sources: &Sources) {
     eprint!("{}", render(found, sources, std::io::stderr().is_terminal()));
 }
 
-static HOST: LazyLock<String> = LazyLock::new(|| hosts::join(hosts::WGPU_TERRAIN));
+/// The plain WebGPU host for terrain.
+pub(super) static TERRAIN_HOST: LazyLock<String> = LazyLock::new(|| hosts::join(hosts::WGPU_TERRAIN));
 
-/// The generator with the plain WebGPU host.
-pub(super) fn compiler(project: &Project) -> Compiler<'_> {
-    Compiler { library: &project.library, sources: &project.sources, host: &HOST, options: Options::default() }
+/// The host that shows one material.
+pub(super) static PREVIEW_HOST: LazyLock<String> = LazyLock::new(|| hosts::join(hosts::WGPU_PREVIEW));
+
+/// The generator with a host.
+pub(super) fn compiler<'a>(project: &'a Project, host: &'a str) -> Compiler<'a> {
+    Compiler { library: &project.library, sources: &project.sources, host, options: Options::default() }
 }

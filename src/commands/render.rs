@@ -1,32 +1,38 @@
-//! `terrane render`: a picture of a scene.
+//! `terrane render`: a picture of a scene, or of one surface.
 
 use std::path::PathBuf;
 
 use terrane::content;
-use terrane::render::{Gpu, Progress, RenderError, Selection, render_scene};
+use terrane::render::{Gpu, Image, Preview, Progress, RenderError, Selection, render_preview, render_scene};
 use terrane::scene::{self, Quality};
+use terrane_codegen::compile::Compiled;
+use terrane_codegen::graph::{FileRole, Project};
 
 use super::{Failure, project};
 
-/// Draw a scene, without a window, on any Vulkan, Metal or DirectX 12 device
+/// Draw a scene, or one surface on a plane and a sphere; no window is opened
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   terrane render graphs/scenes/alpine.ron -o alpine.png
   terrane render graphs/scenes/alpine.ron -o small.png --size 320x180 --samples 1
+  terrane render graphs/surfaces/granite.ron -o granite.png --extent 12
   terrane render --adapters")]
 pub(crate) struct Render {
-    /// A scene
-    #[arg(value_name = "SCENE", required_unless_present = "adapters")]
-    scene: Option<PathBuf>,
+    /// A scene or a surface
+    #[arg(value_name = "GRAPH", required_unless_present = "adapters")]
+    graph: Option<PathBuf>,
     /// The PNG to write
     #[arg(short, long, value_name = "PNG", default_value = "terrane.png")]
     output: PathBuf,
-    /// Pixels, instead of the scene's own
+    /// Pixels, instead of the scene's own or 1280x720
     #[arg(long, value_name = "WxH", value_parser = size)]
     size: Option<[u32; 2]>,
     /// Samples of a pixel on a side
     #[arg(long, default_value_t = 2, value_parser = clap::value_parser!(u32).range(1..=4))]
     samples: u32,
+    /// Metres on a side of the plane that shows a surface
+    #[arg(long, value_name = "METRES", default_value_t = 8.0)]
+    extent: f64,
     /// The device to draw on: its number, or a part of its name
     #[arg(long, value_name = "NAME")]
     adapter: Option<String>,
@@ -46,35 +52,61 @@ fn size(text: &str) -> Result<[u32; 2], String> {
 
 impl Render {
     pub(crate) fn run(self) -> Result<(), Failure> {
-        let Some(file) = self.scene.as_ref().filter(|_| !self.adapters) else { return list() };
+        let Some(file) = self.graph.as_ref().filter(|_| !self.adapters) else { return list() };
         let mut project = project::open(file)?;
         let path = project::relative(&mut project, file)?;
+        let picture = match project.role(&path) {
+            Some(FileRole::Surface) => self.surface(&mut project, &path)?,
+            _ => self.scene(&mut project, &path)?,
+        };
+        picture.write_png(&self.output).map_err(failure)?;
+        println!("{}", self.output.display());
+        Ok(())
+    }
+
+    fn scene(&self, project: &mut Project, path: &str) -> Result<Image, Failure> {
         let (graphs, scene, warnings) =
-            project.scene(&path).map_err(|found| project::findings(&found, &project.sources))?;
+            project.scene(path).map_err(|found| project::findings(&found, &project.sources))?;
         project::warn(&warnings, &project.sources);
-        let compiled = project::compiler(&project)
+        let compiled = project::compiler(project, &project::TERRAIN_HOST)
             .terrain(&graphs, &scene.terrain)
             .map_err(|found| project::findings(&found, &project.sources))?;
-        // Before the textures are made: whoever lacks a driver need not wait to hear of it.
-        let gpu = open(self.adapter.as_deref())?;
-        content::make(&project, &scene::files(&compiled)).map_err(|error| Failure::Machine(error.to_string()))?;
+        let gpu = self.prepare(project, &compiled)?;
         let material = scene::material(&compiled, project.root());
         let field = scene::height_field(&scene.terrain, project.root()).map_err(failure)?;
         let image = self.size.unwrap_or([scene.image.0, scene.image.1]);
         let quality = Quality { image, supersampling: self.samples, tolerance: 1.0 };
         let scene = scene::render_scene(&scene, &compiled, &material, &field, quality);
-        let picture = render_scene(&gpu, &scene, Progress::Stderr).map_err(failure)?;
-        picture.write_png(&self.output).map_err(failure)?;
-        println!("{}", self.output.display());
-        Ok(())
+        render_scene(&gpu, &scene, Progress::Stderr).map_err(failure)
     }
-}
 
-fn open(adapter: Option<&str>) -> Result<Gpu, Failure> {
-    let selection = adapter.map_or(Selection::Best, Selection::parse);
-    let gpu = Gpu::new(&selection).map_err(failure)?;
-    eprintln!("drawing on {}", gpu.name());
-    Ok(gpu)
+    fn surface(&self, project: &mut Project, path: &str) -> Result<Image, Failure> {
+        let (graphs, surface, warnings) =
+            project.surface(path).map_err(|found| project::findings(&found, &project.sources))?;
+        project::warn(&warnings, &project.sources);
+        let compiled = project::compiler(project, &project::PREVIEW_HOST)
+            .surface(&graphs, surface)
+            .map_err(|found| project::findings(&found, &project.sources))?;
+        let gpu = self.prepare(project, &compiled)?;
+        let material = scene::material(&compiled, project.root());
+        let preview = Preview {
+            shader: &compiled.host.text,
+            material: &material,
+            size: self.extent,
+            image: self.size.unwrap_or([1280, 720]),
+            supersampling: self.samples,
+        };
+        render_preview(&gpu, &preview, Progress::Stderr).map_err(failure)
+    }
+
+    /// The device before the textures: whoever lacks a driver need not wait to hear of it.
+    fn prepare(&self, project: &Project, compiled: &Compiled) -> Result<Gpu, Failure> {
+        let selection = self.adapter.as_deref().map_or(Selection::Best, Selection::parse);
+        let gpu = Gpu::new(&selection).map_err(failure)?;
+        eprintln!("drawing on {}", gpu.name());
+        content::make(project, &scene::files(compiled)).map_err(|error| Failure::Machine(error.to_string()))?;
+        Ok(gpu)
+    }
 }
 
 fn list() -> Result<(), Failure> {

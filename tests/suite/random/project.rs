@@ -159,7 +159,8 @@ fn instance(library: &Library, genes: &mut Genes<'_>) -> String {
     wires.extend(["base", "detail"].map(|name| Wire::new(name, Type::F32, None)));
     let mut scene = Scene { library, genes, wires, textures: &[], instance: false, text: String::new() };
     scene.nodes(6);
-    let edge = scene.argument_of(&Type::F32, None, (0.0, 1.0));
+    // An output of an instance has the unit of what it is wired to; one that nothing has keeps it plain.
+    let edge = scene.argument_of(&Type::F32, Some("none"), (0.0, 1.0));
     format!(
         "Instance(\n    version: 1,\n    doc: \"Random.\",\n    inputs: {{ \"base\": (range: (0.0, 1.0)), \"detail\": (default: 0.5) }},\n    nodes: {{\n{}    }},\n    outputs: (edge: {edge}),\n)\n",
         scene.text
