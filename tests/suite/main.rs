@@ -2,6 +2,7 @@
 
 mod content;
 mod embed;
+mod emitted;
 mod house;
 mod library;
 mod random;

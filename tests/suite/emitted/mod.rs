@@ -1,0 +1,99 @@
+//! Tint judges everything that is emitted for the projects in this repository, and creates its pipelines: with the
+//! automatic layout, and with the one that the manifest describes.
+
+mod layout;
+
+use std::path::Path;
+
+use terrane_codegen::compile::{Compiled, Compiler};
+use terrane_codegen::diagnostic::{Diagnostic, Sources, render};
+use terrane_codegen::graph::{FileRole, Project};
+use terrane_codegen::program::Options;
+use terrane_shaderlib::hosts;
+
+use crate::tint::{Module, Report, Tint};
+
+/// Folders with a `terrane.ron`, from the repository's root.
+const PROJECTS: [&str; 2] = ["examples/build_script", "src/commands/starter"];
+
+/// Every terrain and every surface of a project, with the path of its file.
+fn compile_all(folder: &str) -> Vec<(String, Compiled)> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
+    let mut project = Project::open(&root).unwrap_or_else(|error| fail(&error.diagnostics, &error.sources));
+    let paths = project.graph_files();
+    let compiled = paths.into_iter().filter_map(|path| match compile(&mut project, &path) {
+        Ok(compiled) => Some((path, compiled?)),
+        Err(found) => fail(&found, &project.sources),
+    });
+    compiled.collect()
+}
+
+fn compile(project: &mut Project, path: &str) -> Result<Option<Compiled>, Vec<Diagnostic>> {
+    let host = hosts::join(hosts::WGPU_TERRAIN);
+    match project.role(path) {
+        Some(FileRole::Terrain) => {
+            let (graphs, terrain, _) = project.terrain(path)?;
+            compiler(project, &host).terrain(&graphs, &terrain).map(Some)
+        }
+        Some(FileRole::Surface) => {
+            let (graphs, surface, _) = project.surface(path)?;
+            compiler(project, &host).surface(&graphs, surface).map(Some)
+        }
+        _ => Ok(None),
+    }
+}
+
+fn compiler<'a>(project: &'a Project, host: &'a str) -> Compiler<'a> {
+    Compiler { library: &project.library, sources: &project.sources, host, options: Options::default() }
+}
+
+fn fail(found: &[Diagnostic], sources: &Sources) -> ! {
+    panic!("{}", render(found, sources, false))
+}
+
+fn errors(modules: &[Module]) -> Option<String> {
+    match Tint::start() {
+        Ok(mut tint) => Some(tint.validate(modules).iter().map(Report::errors).collect()),
+        Err(skip) => {
+            skip.report();
+            None
+        }
+    }
+}
+
+#[test]
+fn every_terrain_and_surface_is_accepted_with_the_layout_of_its_manifest() {
+    let mut modules = Vec::new();
+    for project in PROJECTS {
+        let compiled = compile_all(project);
+        assert!(!compiled.is_empty(), "{project} has a terrain or a surface");
+        for (path, compiled) in compiled {
+            let host = Module::with_pipelines(format!("{project}/{path}, host"), &compiled.host.text);
+            let layouts = layout::groups(&compiled.checked.module, &compiled.manifest);
+            modules.push(host.with_layouts(&layouts));
+            modules.push(Module::text_only(format!("{project}/{path}, core"), &compiled.core.text));
+        }
+    }
+    let Some(errors) = errors(&modules) else { return };
+    assert_eq!(errors, "");
+}
+
+#[test]
+fn a_manifest_that_forgets_a_texture_is_found_out() {
+    let (path, mut compiled) = compile_all("examples/build_script").swap_remove(0);
+    let forgotten = compiled.manifest.textures.pop().expect("the sand has textures");
+    let host = Module::with_pipelines(path, &compiled.host.text);
+    let layouts = layout::groups(&compiled.checked.module, &compiled.manifest);
+    let Some(errors) = errors(&[host.with_layouts(&layouts)]) else { return };
+    assert!(errors.contains("explicit layout") && !errors.contains("auto layout"), "{errors}");
+    assert!(errors.contains(&format!("@group(1) @binding({})", forgotten.binding)), "{errors}");
+}
+
+#[test]
+fn the_renderers_own_shaders_are_accepted() {
+    let shaders = [("sky", hosts::WGPU_SKY), ("resolve", hosts::WGPU_RESOLVE)];
+    let modules = shaders.map(|(name, files)| Module::with_pipelines(name, hosts::join(files)));
+    assert!(modules.iter().all(|module| !module.pipelines.is_empty()));
+    let Some(errors) = errors(&modules) else { return };
+    assert_eq!(errors, "");
+}
