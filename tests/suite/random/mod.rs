@@ -7,6 +7,7 @@ mod values;
 
 use std::path::PathBuf;
 use std::sync::Mutex;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 use proptest::collection::vec;
 use proptest::prelude::*;
@@ -58,7 +59,7 @@ fn compile(project: &mut Project, host: &str, options: Options) -> Result<Compil
     compiler.terrain(&graphs, &terrain).map_err(|found| render(&found, &project.sources, false))
 }
 
-fn check(shelf: &Mutex<Shelf>, host: &str, tint: Option<&Mutex<Tint>>, genes: &[u16]) -> Result<(), TestCaseError> {
+fn check(shelf: &Mutex<Shelf>, host: &str, tint: Option<&Mutex<Tint>>, genes: &[u16]) -> Result<usize, TestCaseError> {
     let mut shelf = shelf.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
     let mut project = shelf.open(genes);
     let found = compare(&mut project, host, tint);
@@ -70,7 +71,7 @@ fn check(shelf: &Mutex<Shelf>, host: &str, tint: Option<&Mutex<Tint>>, genes: &[
     })
 }
 
-fn compare(project: &mut Project, host: &str, tint: Option<&Mutex<Tint>>) -> Result<(), String> {
+fn compare(project: &mut Project, host: &str, tint: Option<&Mutex<Tint>>) -> Result<usize, String> {
     let first = compile(project, host, Options::default())?;
     let second = compile(project, host, Options::default())?;
     if first.host.text != second.host.text || first.manifest != second.manifest {
@@ -107,8 +108,14 @@ fn random_projects_compile_and_keep_their_values() {
     // The same projects on every machine: a failure is one for everybody.
     let random = proptest::test_runner::TestRng::deterministic_rng(config.rng_algorithm);
     let mut runner = TestRunner::new_with_rng(config, random);
-    let outcome = runner.run(&vec(any::<u16>(), 0..500), |genes| check(&shelf, &host, tint.as_ref(), &genes));
+    let compared = AtomicUsize::new(0);
+    let outcome = runner.run(&vec(any::<u16>(), 0..500), |genes| {
+        compared.fetch_add(check(&shelf, &host, tint.as_ref(), &genes)?, Ordering::Relaxed);
+        Ok(())
+    });
     if let Err(failure) = outcome {
         panic!("{failure}");
     }
+    let compared = compared.into_inner();
+    assert!(compared > 5 * CASES as usize, "only {compared} nodes were compared");
 }
