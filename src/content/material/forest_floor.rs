@@ -105,7 +105,7 @@ fn scale_of_cone(canvas: &mut Canvas, center: (f32, f32), random: &mut Random) {
     canvas.lay(center, radius, |dx, dy| {
         let r = (dx * dx * 1.6 + dy * dy).sqrt() / radius;
         let lobe = 0.75 + 0.25 * libm::cosf(3.0 * libm::atan2f(dy, dx));
-        (r < lobe).then(|| Hit { height: base + tx * dx + ty * dy + radius * 0.3 * (1.0 - r), along: r, across: 0.0 })
+        (r < lobe).then_some(Hit { height: base + tx * dx + ty * dy + radius * 0.3 * (1.0 - r), along: r, across: 0.0 })
     });
 }
 

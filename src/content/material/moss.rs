@@ -52,7 +52,7 @@ fn shoot(canvas: &mut Canvas, ground: &Field, center: (f32, f32), random: &mut R
         let angle = libm::atan2f(dy, dx) * leaves * 0.5 + turn;
         let star = libm::sinf(angle).abs();
         let edge = 0.35 + 0.65 * star;
-        (r < edge).then(|| Hit { height: base + radius * (1.2 - 1.0 * r + 0.2 * star), along: r, across: star })
+        (r < edge).then_some(Hit { height: base + radius * (1.2 - 1.0 * r + 0.2 * star), along: r, across: star })
     });
 }
 

@@ -181,7 +181,7 @@ impl Painted<'_> {
         let file = files.get(usize::try_from(layer).ok()?.min(files.len() - 1))?;
         let seed = file.bytes().fold(7.0, |sum, byte| sum * 1.7 % 97.0 + f64::from(byte));
         // Any smooth function does: both programs read the same one.
-        let wave = |turn: f64| 0.5 + 0.5 * (6.28 * (at[0] * turn + at[1]) + seed).sin();
+        let wave = |turn: f64| 0.5 + 0.5 * (std::f64::consts::TAU * (at[0] * turn + at[1]) + seed).sin();
         Some([wave(1.0), wave(2.0), wave(3.0), wave(4.0)].map(|value| f64::from(value as f32)))
     }
 }
