@@ -14,7 +14,7 @@ fn soft_light_f32(
     opacity: f32,
 ) -> f32 {
     let low = ((16.0 * base - 12.0) * base + 4.0) * base;
-    let bright = select(sqrt(max(base, 0.0)), low, base <= 0.25);
+    let bright = select(sqrt(max(base, 0.25)), low, base <= 0.25);
     let darker = base - (1.0 - 2.0 * detail) * base * (1.0 - base);
     let lighter = base + (2.0 * detail - 1.0) * (bright - base);
     return saturate(mix(base, select(lighter, darker, detail <= 0.5), opacity));
@@ -31,7 +31,7 @@ fn soft_light_vec3(
     opacity: f32,
 ) -> vec3f {
     let low = ((16.0 * base - 12.0) * base + 4.0) * base;
-    let bright = select(sqrt(max(base, vec3f(0.0))), low, base <= vec3f(0.25));
+    let bright = select(sqrt(max(base, vec3f(0.25))), low, base <= vec3f(0.25));
     let darker = base - (1.0 - 2.0 * detail) * base * (1.0 - base);
     let lighter = base + (2.0 * detail - 1.0) * (bright - base);
     return saturate(mix(base, select(lighter, darker, detail <= vec3f(0.5)), opacity));

@@ -13,5 +13,6 @@ struct Coord {
 
 /// The size of a pixel in tiles, along its longer side.
 fn coord_footprint(uv: Coord) -> f32 {
-    return max(length(uv.ddx), length(uv.ddy));
+    // WGSL derives a square root from the inverse one, and promises nothing for 0.
+    return sqrt(max(max(dot(uv.ddx, uv.ddx), dot(uv.ddy, uv.ddy)), 1e-24));
 }

@@ -16,7 +16,7 @@ fn aspect_mask(
     width: f32,
 ) -> f32 {
     let way = angle_unit(azimuth);
-    let steep = length(normal.xz);
+    let steep = sqrt(max(dot(normal.xz, normal.xz), 1e-12));
     let facing = (normal.x * way.y - normal.z * way.x) / max(steep, 1e-6);
     let off = acos(clamp(facing, -1.0, 1.0)) * 57.29578;
     return ramp_smooth(off, width, 0.5 * width) * ramp_smooth(steep, 0.02, 0.1);

@@ -13,6 +13,7 @@ fn slope_mask(
     /// Angle at which it is 1. [deg] 0..90 = 45.0
     high: f32,
 ) -> f32 {
-    let angle = acos(clamp(1.0 - slope, 0.0, 1.0)) * 57.29578;
-    return ramp_smooth(angle, low, high);
+    // 1 - cos a = 2 sin^2 (a / 2): unlike the arc cosine of something near 1 this keeps its precision on flat ground.
+    let half_sine = sqrt(clamp(0.5 * slope, 1e-12, 0.5));
+    return ramp_smooth(2.0 * asin(half_sine) * 57.29578, low, high);
 }

@@ -7,7 +7,7 @@ fn root_f32(
     /// The value. -1000000..1000000
     x: f32,
 ) -> f32 {
-    return sqrt(max(x, 0.0));
+    return select(sqrt(max(x, 1e-30)), 0.0, x <= 0.0);
 }
 
 /// root_vec2(vec2f(2.25, -4.0)) == vec2f(1.5, 0.0) +- 1e-5
@@ -16,7 +16,7 @@ fn root_vec2(
     /// The value. -1000000..1000000
     x: vec2f,
 ) -> vec2f {
-    return sqrt(max(x, vec2f(0.0)));
+    return select(sqrt(max(x, vec2f(1e-30))), vec2f(0.0), x <= vec2f(0.0));
 }
 
 /// root_vec3(vec3f(2.25, -4.0, 0.0)) == vec3f(1.5, 0.0, 0.0) +- 1e-5
@@ -25,7 +25,7 @@ fn root_vec3(
     /// The value. -1000000..1000000
     x: vec3f,
 ) -> vec3f {
-    return sqrt(max(x, vec3f(0.0)));
+    return select(sqrt(max(x, vec3f(1e-30))), vec3f(0.0), x <= vec3f(0.0));
 }
 
 /// root_vec4(vec4f(2.25, -4.0, 0.0, 16.0)) == vec4f(1.5, 0.0, 0.0, 4.0) +- 1e-5
@@ -34,5 +34,5 @@ fn root_vec4(
     /// The value. -1000000..1000000
     x: vec4f,
 ) -> vec4f {
-    return sqrt(max(x, vec4f(0.0)));
+    return select(sqrt(max(x, vec4f(1e-30))), vec4f(0.0), x <= vec4f(0.0));
 }

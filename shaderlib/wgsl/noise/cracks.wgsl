@@ -24,7 +24,7 @@ fn cracks(
         for (var x = -1; x <= 1; x++) {
             let away = cracks_away(lattice, vec2i(x, z), jitter, seed);
             let apart = away - middle;
-            let gap = length(apart);
+            let gap = sqrt(max(dot(apart, apart), 1e-12));
             // The bisector of the two points; the nearest one has none with itself.
             let far = dot(0.5 * (away + middle), apart) / max(gap, 1e-3);
             border = min(border, select(far, 1.0, gap < 1e-3));

@@ -38,7 +38,7 @@ fn spots(
             let away = worley_point(random, jitter) + vec2f(vec2i(x, z)) - lattice.fraction;
             let id = hash_unit(random.z);
             let size = max(radius * (1.0 - variety * id), 1e-4);
-            let inside = 1.0 - length(away) / size;
+            let inside = 1.0 - sqrt(max(dot(away, away), 1e-16)) / size;
             // 1 - r^2 is (1 - r)(1 + r): a round dome.
             let dome = saturate(inside * (2.0 - inside));
             if (inside > 0.0 && dome >= best.dome) {

@@ -36,7 +36,7 @@ fn worley(
             near = select(vec2f(near.x, min(near.y, square)), vec2f(square, near.x), square < near.x);
         }
     }
-    let distances = clamp(sqrt(near), vec2f(0.0), vec2f(1.18));
+    let distances = clamp(sqrt(max(near, vec2f(1e-16))), vec2f(0.0), vec2f(1.18));
     return Worley(distances.x, distances.y, hash_unit(nearest));
 }
 

@@ -14,7 +14,7 @@ fn stripes(
     azimuth: f32,
 ) -> f32 {
     let along = rotated(position, wavelength, azimuth);
-    let size = length(vec2f(along.ddx.y, along.ddy.y));
+    let size = coord_footprint(Coord(along.uv, vec2f(0.0, along.ddx.y), vec2f(0.0, along.ddy.y)));
     let crest = 0.5 - 0.5 * angle_unit(360.0 * fract(along.uv.y) - 180.0).x;
     return saturate(mix(0.5, crest, lattice_kept(1.0, size)));
 }

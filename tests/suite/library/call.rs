@@ -3,11 +3,11 @@
 use terrane_codegen::machine::{Component, Domain, F32, Machine, Value};
 
 use super::LIBRARY;
-use super::texture::ExampleTexture;
+use super::texture::EXAMPLE;
 
 /// The library on the machine, with the example texture.
 pub(super) fn machine() -> Machine<'static> {
-    Machine::new(&LIBRARY.module, &LIBRARY.info, &ExampleTexture)
+    Machine::new(&LIBRARY.module, &LIBRARY.info, &*EXAMPLE)
 }
 
 /// A place in all its parts.

@@ -7,13 +7,13 @@ use terrane_codegen::library::Example;
 use terrane_codegen::machine::{F32, Machine, Value};
 
 use super::LIBRARY;
-use super::texture::ExampleTexture;
+use super::texture::EXAMPLE;
 
 const TEXTURES: &str = "@group(0) @binding(0) var example_texture: texture_2d_array<f32>;\n\
                         @group(0) @binding(1) var example_sampler: sampler;\n";
 
 /// The type of an example: said by how its expected value is written.
-fn ty(expected: &str) -> &str {
+pub(super) fn ty(expected: &str) -> &str {
     ["vec2f", "vec3f", "vec4f"]
         .into_iter()
         .find(|ty| expected.starts_with(&format!("{ty}(")))
@@ -41,7 +41,7 @@ fn every_example_holds() {
     let info = Validator::new(ValidationFlags::all(), Capabilities::default())
         .validate(&module)
         .unwrap_or_else(|error| panic!("{}", error.emit_to_string(&text)));
-    let machine = Machine::new(&module, &info, &ExampleTexture);
+    let machine = Machine::new(&module, &info, &*EXAMPLE);
     let value = |function: String| {
         let called = machine.call::<F32>(&function, &[], 1);
         called.map(|(value, _)| components(&value)).unwrap_or_else(|error| panic!("{function}: {error}"))

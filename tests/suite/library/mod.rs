@@ -3,6 +3,7 @@
 mod call;
 mod documentation;
 mod examples;
+mod gpu;
 mod lattice;
 mod noise;
 mod normals;

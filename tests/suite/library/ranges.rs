@@ -10,7 +10,7 @@ use super::call::{Place, floats, machine, place};
 use super::watched::{Watched, take_hazard};
 
 /// Points for each node.
-const POINTS: usize = 3000;
+pub(super) const POINTS: usize = 3000;
 
 /// Numbers of an input whose ends are combined in every way; further ones repeat the first.
 const CORNER_BITS: usize = 11;
@@ -111,7 +111,7 @@ fn zeros(arguments: &mut [Vec<Value<Watched>>], inputs: &[Port]) {
 }
 
 /// The declared range of every float of a result.
-fn output_ranges(overload: &Overload) -> Vec<Option<(f32, f32)>> {
+pub(super) fn output_ranges(overload: &Overload) -> Vec<Option<(f32, f32)>> {
     let of = |port: &Port| vec![port.range; port.ty.components().unwrap_or(0)];
     match &overload.output.ty {
         Type::Struct(_) => overload.members.iter().flat_map(of).collect(),
@@ -119,13 +119,19 @@ fn output_ranges(overload: &Overload) -> Vec<Option<(f32, f32)>> {
     }
 }
 
-fn check(overload: &Overload) -> Vec<String> {
-    let mut random =
-        Random(overload.function.bytes().fold(1, |seed: u64, byte| seed.wrapping_mul(31) + u64::from(byte)));
+/// Arguments for a node at so many points, one list for each of its ports: random, with all corners first.
+pub(super) fn inputs(overload: &Overload) -> Vec<Vec<Value<Watched>>> {
+    let seed = overload.function.bytes().fold(1, |seed: u64, byte| seed.wrapping_mul(31) + u64::from(byte));
+    let mut random = Random(seed);
     let mut values: Vec<Vec<Value<Watched>>> =
         overload.inputs.iter().map(|port| arguments(&mut random, port)).collect();
     corners(&mut values, &overload.inputs);
     zeros(&mut values, &overload.inputs);
+    values
+}
+
+fn check(overload: &Overload) -> Vec<String> {
+    let values = inputs(overload);
     take_hazard();
     let (result, _) = match machine().call(&overload.function, &values.concat(), POINTS) {
         Ok(result) => result,
@@ -142,7 +148,7 @@ fn check(overload: &Overload) -> Vec<String> {
     bad.chain(undefined).collect()
 }
 
-fn witness(overload: &Overload, values: &[Vec<Value<Watched>>], point: usize, components: &[f32]) -> String {
+pub(super) fn witness(overload: &Overload, values: &[Vec<Value<Watched>>], point: usize, components: &[f32]) -> String {
     let shown: Vec<String> =
         overload.inputs.iter().zip(values).map(|(port, values)| show(port, &values[0], point)).collect();
     format!("{}({}) is {components:?}, declared {:?}", overload.function, shown.join(", "), output_ranges(overload))

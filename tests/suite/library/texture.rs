@@ -1,37 +1,23 @@
 //! The texture that examples read: 4 by 4 texels, texel (x, y) = (x/3, y/3, (x+y) mod 2, 1), repeating, bilinear, one mip.
 
-use terrane_codegen::machine::{Count, Load, Sample, Textures};
+use std::sync::LazyLock;
 
-/// The example texture under every id.
-pub(super) struct ExampleTexture;
+use terrane_codegen::machine::{Image, Images, Sampler, Wrap};
 
-impl Textures for ExampleTexture {
-    fn sample(&self, sample: &Sample) -> Option<[f64; 4]> {
-        let [u, v] = sample.uv.map(|coordinate| (coordinate - coordinate.floor()) * 4.0 - 0.5);
-        let (x, y) = (u.floor(), v.floor());
-        let row = |y: f64| lerp(texel(x, y), texel(x + 1.0, y), u - x);
-        Some(lerp(row(y), row(y + 1.0), v - y))
+/// The example texture and its sampler, both with id 0.
+pub(super) static EXAMPLE: LazyLock<Images> = LazyLock::new(|| {
+    let texels = (0..16).map(|index| texel(index % 4, index / 4)).collect();
+    Images {
+        images: vec![Image::new(4, 4, 1, texels)],
+        samplers: vec![Sampler { wrap: Wrap::Repeat, linear: true, linear_levels: true }],
     }
+});
 
-    fn load(&self, load: &Load) -> Option<[f64; 4]> {
-        let inside = load.at.iter().all(|at| (0..4).contains(at));
-        Some(if inside { texel(load.at[0].into(), load.at[1].into()) } else { [0.0; 4] })
-    }
-
-    fn size(&self, _: u32, _: u32) -> Option<[u32; 2]> {
-        Some([4, 4])
-    }
-
-    fn count(&self, _: u32) -> Option<Count> {
-        Some(Count { layers: 1, levels: 1 })
-    }
+fn texel(x: u32, y: u32) -> [f64; 4] {
+    [f64::from(x) / 3.0, f64::from(y) / 3.0, f64::from((x + y) % 2), 1.0]
 }
 
-fn texel(x: f64, y: f64) -> [f64; 4] {
-    let (x, y) = (x.rem_euclid(4.0), y.rem_euclid(4.0));
-    [x / 3.0, y / 3.0, (x + y) % 2.0, 1.0]
-}
-
-fn lerp(a: [f64; 4], b: [f64; 4], t: f64) -> [f64; 4] {
-    std::array::from_fn(|i| a[i] * (1.0 - t) + b[i] * t)
+/// The same as bytes of `rgba8unorm`, which holds thirds exactly.
+pub(super) fn example_bytes() -> Vec<u8> {
+    (0..16).flat_map(|index| texel(index % 4, index / 4).map(|value| (value * 255.0).round() as u8)).collect()
 }

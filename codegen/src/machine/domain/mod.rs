@@ -14,7 +14,7 @@ mod single;
 
 use std::fmt::Debug;
 
-pub use accept::Accept;
+pub use accept::{Accept, Integers, Interval, Three};
 pub use double::F64;
 pub use operation::{
     FloatBinary, FloatComparison, FloatTernary, FloatUnary, IntBinary, IntComparison, IntUnary, TruthBinary,
