@@ -5,35 +5,27 @@
 mod engine;
 
 use std::fs;
-use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::path::PathBuf;
 
 use serde_json::{Value, json};
-use tempfile::TempDir;
 
+use crate::picture::Picture;
+use crate::scratch::Scratch;
 use crate::skip::Skip;
 use crate::tint::{Module, Report, Tint};
 
 /// What `terrane build` makes of the project of `examples/build_script`.
-struct Built {
-    folder: TempDir,
-}
+struct Built(Scratch);
 
 impl Built {
     fn new() -> Self {
-        let folder = tempfile::tempdir().unwrap();
-        let project = Path::new(env!("CARGO_MANIFEST_DIR")).join("examples/build_script");
-        copy(&project.join("terrane.ron"), &folder.path().join("terrane.ron"));
-        copy(&project.join("graphs"), &folder.path().join("graphs"));
-        let mut terrane = Command::new(env!("CARGO_BIN_EXE_terrane"));
-        let terrane = terrane.args(["build", "graphs/terrains/dunes.ron", "-o", "out"]).current_dir(folder.path());
-        let output = terrane.output().unwrap();
-        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
-        Self { folder }
+        let scratch = Scratch::of("examples/build_script");
+        scratch.terrane(&["build", "graphs/terrains/dunes.ron", "-o", "out"]);
+        Self(scratch)
     }
 
     fn manifest(&self) -> PathBuf {
-        self.folder.path().join("out/dunes.json")
+        self.0.path("out/dunes.json")
     }
 
     /// Changes the manifest, as an engine's own tool might.
@@ -45,9 +37,9 @@ impl Built {
 
     /// Red, green, blue of every pixel that the engine draws; `None` where nothing can draw.
     fn draw(&self) -> Option<Vec<[u8; 3]>> {
-        let picture = self.folder.path().join("picture.png");
+        let picture = self.0.path("picture.png");
         match engine::run(&self.manifest(), &picture) {
-            Ok(()) => Some(pixels(&picture)),
+            Ok(()) => Some(Picture::read(&picture).unwrap().pixels),
             Err(reason) if reason.starts_with("no graphics adapter") => {
                 Skip(reason).report();
                 None
@@ -55,26 +47,6 @@ impl Built {
             Err(reason) => panic!("{reason}"),
         }
     }
-}
-
-fn copy(from: &Path, to: &Path) {
-    if from.is_file() {
-        fs::copy(from, to).unwrap();
-        return;
-    }
-    fs::create_dir(to).unwrap();
-    for entry in fs::read_dir(from).unwrap() {
-        let name = entry.unwrap().file_name();
-        copy(&from.join(&name), &to.join(&name));
-    }
-}
-
-fn pixels(path: &Path) -> Vec<[u8; 3]> {
-    let file = std::io::BufReader::new(fs::File::open(path).unwrap());
-    let mut reader = png::Decoder::new(file).read_info().unwrap();
-    let mut bytes = vec![0; reader.output_buffer_size().unwrap()];
-    reader.next_frame(&mut bytes).unwrap();
-    bytes.chunks_exact(4).map(|pixel| [pixel[0], pixel[1], pixel[2]]).collect()
 }
 
 fn mean(pixels: &[[u8; 3]], channel: usize) -> f64 {

@@ -1,11 +1,14 @@
 //! The one integration-test binary.
 
+mod accepted;
 mod content;
 mod embed;
 mod emitted;
 mod house;
 mod library;
+mod picture;
 mod random;
 mod render;
+mod scratch;
 mod skip;
 mod tint;

@@ -4,7 +4,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Folders that hold what was made or fetched, not written.
-const MADE: [&str; 6] = [".git", "node_modules", "out", "shared", "target", "textures"];
+const MADE: [&str; 7] = [".git", "node_modules", "out", "shared", "snapshots", "target", "textures"];
 
 /// A text file of the repository.
 pub(super) struct File {
