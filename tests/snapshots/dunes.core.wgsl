@@ -153,7 +153,9 @@ fn place_coord(position: Place, period: f32) -> Coord {
 
 /// Metres of ground under one pixel, along its longer side.
 fn place_footprint(position: Place) -> f32 {
-    return max(length(position.ddx.xz), length(position.ddy.xz));
+    let squares = max(dot(position.ddx.xz, position.ddx.xz), dot(position.ddy.xz, position.ddy.xz));
+    // WGSL derives a square root from the inverse one, and promises nothing for 0.
+    return sqrt(max(squares, 1e-24));
 }
 
 /// Three random words from three words.
