@@ -4,7 +4,7 @@
 
 use rayon::prelude::*;
 
-use super::land::{Land, NEIGHBOURS};
+use super::land::Land;
 
 /// How rock weathers and debris moves.
 #[derive(Clone, Copy, Debug)]
@@ -47,15 +47,13 @@ fn slide(land: &mut Land, debris: &mut [f32], rest: f32) {
 /// What comes from higher neighbours less what goes to lower ones; both sides of a pair compute the same number.
 fn gain(land: &Land, debris: &[f32], rest: f32, index: usize) -> f32 {
     let mut sum = 0.0;
-    for (dx, dy, distance) in NEIGHBOURS {
-        if let Some(other) = land.neighbour(index, dx, dy) {
-            let step = rest * land.cell * distance;
-            let fall = land.height[other] - land.height[index];
-            if fall > step {
-                sum += ((fall - step) * 0.09).min(debris[other] * 0.12);
-            } else if -fall > step {
-                sum -= ((-fall - step) * 0.09).min(debris[index] * 0.12);
-            }
+    for (_, other, distance) in land.around(index) {
+        let step = rest * land.cell * distance;
+        let fall = land.height[other] - land.height[index];
+        if fall > step {
+            sum += ((fall - step) * 0.09).min(debris[other] * 0.12);
+        } else if -fall > step {
+            sum -= ((-fall - step) * 0.09).min(debris[index] * 0.12);
         }
     }
     sum

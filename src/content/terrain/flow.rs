@@ -2,7 +2,7 @@
 //! Source: Barnes, Lehman and Mulla, "Priority-flood", 2014, with buckets of equal height in place of a heap.
 
 use super::super::hash::{hash, unit};
-use super::land::{Land, NEIGHBOURS};
+use super::land::Land;
 
 /// Routes of all water.
 #[derive(Clone, Debug)]
@@ -40,10 +40,8 @@ pub fn route(land: &Land, outlet: &[bool], seed: u32) -> Flow {
             flow.order.push(index as u32);
             done[index] = true;
             descend(land, &mut flow, &done, seed, index);
-            for (dx, dy, _) in NEIGHBOURS {
-                if let Some(other) = land.neighbour(index, dx, dy)
-                    && flow.receiver[other] == u32::MAX
-                {
+            for (_, other, _) in land.around(index) {
+                if flow.receiver[other] == u32::MAX {
                     flow.receiver[other] = index as u32;
                     buckets[level(other).max(current)].push(other as u32);
                 }
@@ -61,8 +59,7 @@ fn descend(land: &Land, flow: &mut Flow, done: &[bool], seed: u32, index: usize)
         return;
     }
     let mut best = 0.0;
-    for (direction, (dx, dy, distance)) in NEIGHBOURS.into_iter().enumerate() {
-        let Some(other) = land.neighbour(index, dx, dy).filter(|&other| done[other]) else { continue };
+    for (direction, other, distance) in land.around(index).filter(|&(_, other, _)| done[other]) {
         let chance = 0.3 + unit(hash(seed, index as u32, direction as u32));
         let score = (land.height[index] - land.height[other]) / distance * chance;
         if score > best {
@@ -85,7 +82,7 @@ fn gather(land: &Land, flow: &Flow) -> Vec<f32> {
 
 /// Metres between the centres of a cell and its receiver.
 pub fn run(land: &Land, index: usize, receiver: usize) -> f32 {
-    let n = land.size;
-    let straight = index % n == receiver % n || index / n == receiver / n;
+    let apart = index.abs_diff(receiver);
+    let straight = apart == 1 || apart == land.size;
     land.cell * if straight { 1.0 } else { std::f32::consts::SQRT_2 }
 }

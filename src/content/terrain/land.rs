@@ -34,11 +34,22 @@ impl Land {
         Self { size, cell: extent / size as f32, height: Field::build(size, height).data }
     }
 
-    /// The neighbour of a cell, unless it lies outside.
-    pub fn neighbour(&self, index: usize, dx: i32, dy: i32) -> Option<usize> {
+    /// The neighbours of a cell that lie on the land: which of the eight, index, distance in cells.
+    pub fn around(&self, index: usize) -> impl Iterator<Item = (usize, usize, f32)> {
         let n = self.size as i32;
-        let (x, y) = (index as i32 % n + dx, index as i32 / n + dy);
-        ((0..n).contains(&x) && (0..n).contains(&y)).then(|| (y * n + x) as usize)
+        let (x, y) = (index as i32 % n, index as i32 / n);
+        NEIGHBOURS.into_iter().enumerate().filter_map(move |(direction, (dx, dy, distance))| {
+            // As unsigned numbers, so that one comparison finds both borders.
+            let inside = ((x + dx) as u32) < n as u32 && ((y + dy) as u32) < n as u32;
+            inside.then(|| (direction, (index as i32 + dy * n + dx) as usize, distance))
+        })
+    }
+
+    /// The cell at an offset, unless it lies outside.
+    pub fn neighbour(&self, (x, y): (i32, i32), dx: i32, dy: i32) -> Option<usize> {
+        let n = self.size as i32;
+        let inside = ((x + dx) as u32) < n as u32 && ((y + dy) as u32) < n as u32;
+        inside.then(|| ((y + dy) * n + x + dx) as usize)
     }
 
     /// A height; cells outside have that of the nearest border.

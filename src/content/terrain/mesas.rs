@@ -22,6 +22,14 @@ struct Desert {
     dunes: f32,
 }
 
+/// What differs from place to place in the same bed.
+struct Beds {
+    /// Metres by which beds lie lower here.
+    lift: Field,
+    /// How broken the rock is, about −1..1.
+    rough: Field,
+}
+
 /// Thickness of a bed, metres.
 const BED: f32 = 26.0;
 
@@ -37,7 +45,7 @@ pub fn make(arguments: &Arguments) -> Vec<Map> {
     let mut debris = vec![0.0; land.height.len()];
     let rounds = (50.0 * 2.0 / land.cell).clamp(10.0, 80.0) as u32;
     weather(&mut land, &mut debris, &Weather { rock: 1.3, rate: 0.18, rest: 0.62, rounds });
-    let flow = cut(&mut land.clone(), &desert.rock(&land), 0.02, desert.seed, &mut Vec::new());
+    let flow = cut(&mut land.clone(), &desert.rock(&land, &desert.beds(land.size)), 0.02, desert.seed, &mut Vec::new());
     let sand = desert.blow(&mut land);
     let deposit =
         Field { size: land.size, data: debris }.map(|depth| 1.0 - libm::expf(-depth * 0.6)).zip(&sand, f32::max);
@@ -58,10 +66,10 @@ impl Desert {
             if level > 0 {
                 land = self.roughened(&land.refined(), level);
             }
-            let mut load = Vec::new();
+            let (mut load, beds) = (Vec::new(), self.beds(land.size));
             let (steps, time) = [(20, 1.6), (12, 1.0), (8, 0.6), (5, 0.4)][(level as usize).min(3)];
             for index in 0..steps {
-                let rock = self.rock(&land);
+                let rock = self.rock(&land, &beds);
                 cut(&mut land, &rock, time, self.seed ^ (level * 1000 + index), &mut load);
             }
         }
@@ -79,20 +87,22 @@ impl Desert {
         plain + (top - plain) * bench
     }
 
+    fn beds(&self, n: usize) -> Beds {
+        let (tilt, rough) = (Noise::new(self.seed ^ 0x21, 3, 3), Noise::new(self.seed ^ 0x22, 24, 4).gain(0.65));
+        Beds { lift: Field::build(n, |u, v| 7.0 * tilt.fbm(u, v)), rough: Field::build(n, |u, v| rough.fbm(u, v)) }
+    }
+
     /// Hard beds stand as walls and resist rivers, soft ones are slopes; sand and gravel of the plain are softest.
-    fn rock(&self, land: &Land) -> Rock {
+    fn rock(&self, land: &Land, beds: &Beds) -> Rock {
         let n = land.size;
-        let tilt = Noise::new(self.seed ^ 0x21, 3, 3);
-        let tilt = Field::build(n, |u, v| 7.0 * tilt.fbm(u, v));
-        let rough = Noise::new(self.seed ^ 0x22, 24, 4).gain(0.65);
-        let rough = Field::build(n, |u, v| rough.fbm(u, v));
-        let hard: Vec<f32> = (0..n * n).into_par_iter().map(|i| self.hardness(land.height[i] + tilt.data[i])).collect();
-        let number = |f: &(dyn Fn(usize) -> f32 + Sync)| (0..n * n).into_par_iter().map(f).collect();
+        let hard = |index: usize| self.hardness(land.height[index] + beds.lift.data[index]);
+        let hard: Vec<f32> = (0..n * n).into_par_iter().map(hard).collect();
+        let stable = |(hard, rough): (&f32, &f32)| (0.62 + 5.0 * hard * hard) * (1.0 + 0.45 * rough);
         Rock {
             outlet: (0..n * n).map(|index| index / n == n - 1 || index % n == n - 1).collect(),
             uplift: vec![0.0; n * n],
-            erodibility: number(&|i| 0.03 * (1.0 - 0.96 * hard[i])),
-            stable: number(&|i| (0.62 + 5.0 * hard[i] * hard[i]) * (1.0 + 0.45 * rough.data[i])),
+            erodibility: hard.par_iter().map(|hard| 0.03 * (1.0 - 0.96 * hard)).collect(),
+            stable: hard.par_iter().zip(&beds.rough.data).map(stable).collect(),
         }
     }
 

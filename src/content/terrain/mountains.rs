@@ -64,7 +64,7 @@ impl Range {
             outlet: (0..n * n).map(|index| self.outlet(index % n, index / n, n)).collect(),
             uplift: Field::build(n, |u, v| self.uplift(u, v)).data,
             erodibility: vec![0.034; n * n],
-            stable: Field::build(n, |u, v| 1.1 + 0.6 * hard.fbm(u, v)).data,
+            stable: Field::build(n, |u, v| (0.68 + 1.3 * hard.fbm(u, v)).max(0.42)).data,
         }
     }
 

@@ -85,7 +85,7 @@ fn look(
     let n = land.size as i32;
     let here = (y * n + x) as usize;
     for (dx, dy) in steps {
-        let Some(Bank { river, .. }) = land.neighbour(here, dx, dy).and_then(|other| banks[other]) else { continue };
+        let Some(Bank { river, .. }) = land.neighbour((x, y), dx, dy).and_then(|other| banks[other]) else { continue };
         let (rx, ry) = (river as i32 % n, river as i32 / n);
         let distance = (((rx - x) * (rx - x) + (ry - y) * (ry - y)) as f32).sqrt() * land.cell;
         let beyond = distance - width(flow, valley, river as usize);
