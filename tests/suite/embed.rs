@@ -30,16 +30,16 @@ impl Built {
 
     /// Changes the manifest, as an engine's own tool might.
     fn edit(&self, edit: impl FnOnce(&mut Value)) {
-        let mut manifest = serde_json::from_str(&fs::read_to_string(self.manifest()).unwrap()).unwrap();
+        let mut manifest = serde_json::from_str(&fs::read_to_string(self.manifest()).expect("built")).expect("JSON");
         edit(&mut manifest);
-        fs::write(self.manifest(), manifest.to_string()).unwrap();
+        fs::write(self.manifest(), manifest.to_string()).expect("a writable folder");
     }
 
     /// Red, green, blue of every pixel that the engine draws; `None` where nothing can draw.
     fn draw(&self) -> Option<Vec<[u8; 3]>> {
         let picture = self.0.path("picture.png");
         match engine::run(&self.manifest(), &picture) {
-            Ok(()) => Some(Picture::read(&picture).unwrap().pixels),
+            Ok(()) => Some(Picture::read(&picture).expect("the engine wrote it").pixels),
             Err(reason) if reason.starts_with("no graphics adapter") => {
                 Skip(reason).report();
                 None

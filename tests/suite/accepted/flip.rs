@@ -45,13 +45,13 @@ mod tests {
     }
 
     fn stripes(x: u32) -> u8 {
-        if x / 8 % 2 == 0 { 60 } else { 190 }
+        if (x / 8).is_multiple_of(2) { 60 } else { 190 }
     }
 
     #[test]
     fn rounding_is_small_but_a_shift_or_a_tone_is_not() {
         let known = picture(|x, _| stripes(x));
-        let rounded = picture(|x, y| stripes(x) + u8::from((x * 7 + y * 13) % 16 == 0));
+        let rounded = picture(|x, y| stripes(x) + u8::from((x * 7 + y * 13).is_multiple_of(16)));
         let shifted = picture(|x, _| stripes(x + 1));
         let brighter = picture(|x, _| stripes(x) + 12);
         let cases = [

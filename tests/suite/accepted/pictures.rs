@@ -51,11 +51,11 @@ fn compare(scratch: &Scratch, name: &str, graph: &str) {
         return Skip("no adapter".into()).report();
     }
     scratch.terrane(&["render", graph, "-o", "found.png", "--size", "128x72"]);
-    let found = Picture::read(&scratch.path("found.png")).unwrap();
+    let found = Picture::read(&scratch.path("found.png")).expect("what terrane wrote can be read");
     let path = accepted("golden").join(format!("{name}.png"));
     if blessing() {
-        found.write(&path).unwrap();
-        let bytes = fs::metadata(&path).unwrap().len();
+        found.write(&path).expect("the picture can be written");
+        let bytes = fs::metadata(&path).expect("written above").len();
         assert!(bytes <= BYTES, "{name}.png has {bytes} bytes, {BYTES} are the limit");
         return;
     }
@@ -72,8 +72,8 @@ fn compare(scratch: &Scratch, name: &str, graph: &str) {
 /// Leaves the picture and the difference where a person can look at them.
 fn keep(name: &str, found: &Picture, map: &Picture) -> PathBuf {
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("golden");
-    fs::create_dir_all(&folder).unwrap();
-    found.write(&folder.join(format!("{name}.found.png"))).unwrap();
-    map.write(&folder.join(format!("{name}.difference.png"))).unwrap();
+    fs::create_dir_all(&folder).expect("cargo's folder for tests is writable");
+    found.write(&folder.join(format!("{name}.found.png"))).expect("a writable folder");
+    map.write(&folder.join(format!("{name}.difference.png"))).expect("a writable folder");
     folder
 }
