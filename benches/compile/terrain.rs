@@ -15,11 +15,10 @@ use terrane_codegen::program::{Options, Program};
 use terrane_shaderlib::hosts;
 
 static HOST: LazyLock<String> = LazyLock::new(|| hosts::join(hosts::WGPU_TERRAIN));
-const TERRAIN: &str = "graphs/terrains/dunes.ron";
+const TERRAIN: &str = "graphs/terrains/alpine.ron";
 
 fn open() -> Project {
-    Project::open(Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/examples/build_script")))
-        .unwrap_or_else(|error| panic!("{:?}", error.diagnostics))
+    Project::open(Path::new(env!("CARGO_MANIFEST_DIR"))).unwrap_or_else(|error| panic!("{:?}", error.diagnostics))
 }
 
 fn resolve(project: &mut Project) -> (Graphs, Terrain) {

@@ -14,7 +14,7 @@ use terrane_shaderlib::hosts;
 use crate::tint::{Module, Report, Tint};
 
 /// Folders with a `terrane.ron`, from the repository's root.
-const PROJECTS: [&str; 2] = ["examples/build_script", "src/commands/starter"];
+const PROJECTS: [&str; 3] = [".", "examples/build_script", "src/commands/starter"];
 
 /// Every terrain and every surface of a project, with the path of its file.
 fn compile_all(folder: &str) -> Vec<(String, Compiled)> {
