@@ -1,5 +1,7 @@
 //! `cargo demo`: from a fresh clone to a picture.
 
+use std::fs;
+
 use crate::setup;
 use crate::step::{cargo, root, step, succeed};
 use crate::vulkan;
@@ -14,10 +16,13 @@ const PICTURE: &str = "out/alpine.png";
 pub(crate) fn run() -> Result<(), String> {
     setup::install(vulkan::missing().as_slice())?;
     step("build", || succeed(cargo(&["build", "--release", "--locked"])))?;
+    let picture = root().join(PICTURE);
+    if let Some(folder) = picture.parent() {
+        fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+    }
     // `cargo run` and not a path: the user may have moved the target folder.
     let render = ["run", "--release", "--locked", "--quiet", "--", "render", SCENE, "-o", PICTURE];
     step(&format!("render {SCENE}"), || succeed(cargo(&render)))?;
-    let picture = root().join(PICTURE);
     if !picture.is_file() {
         return Err(format!("terrane reported no error, but there is no {}", picture.display()));
     }
