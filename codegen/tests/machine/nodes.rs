@@ -8,7 +8,9 @@ use crate::support::Random;
 
 /// Values for all parameters of a node. A texture port is three of them; its texture and sampler have id 0.
 pub(crate) fn arguments(overload: &Overload, points: usize) -> Vec<Value<F32>> {
-    let mut random = Random::new(overload.function.bytes().fold(0, |seed, byte| seed * 31 + u32::from(byte) % 97));
+    let mut random = Random::new(
+        overload.function.bytes().fold(0, |seed: u32, byte| seed.wrapping_mul(31).wrapping_add(byte.into())),
+    );
     let of = |port: &Port| match &port.ty {
         Type::Texture => vec![Value::handle(0), Value::handle(0), Value::i32(&[0])],
         _ => vec![argument(&mut random, port, points)],

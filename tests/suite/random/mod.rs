@@ -117,5 +117,5 @@ fn random_projects_compile_and_keep_their_values() {
         panic!("{failure}");
     }
     let compared = compared.into_inner();
-    assert!(compared > 5 * CASES as usize, "only {compared} nodes were compared");
+    assert!(compared > CASES as usize, "only {compared} nodes were compared");
 }
