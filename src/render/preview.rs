@@ -52,7 +52,7 @@ pub fn render_preview(gpu: &Gpu, preview: &Preview<'_>, progress: Progress) -> R
     let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
     gpu.checked("drawing commands", || {
         drop(targets.depth_pass(&mut encoder));
-        pipeline.draw(&mut targets.light_pass(&mut encoder), &[&bound.group, &material.group]);
+        pipeline.draw(&mut targets.light_pass(&mut encoder, true), &[&bound.group, &material.group]);
     })?;
     gpu.queue.submit([encoder.finish()]);
     gpu.wait()?;

@@ -114,16 +114,22 @@ fn draw(gpu: &Gpu, scene: &RenderScene<'_>, progress: Progress) -> Result<Target
     let sky = FullScreen::new(gpu, "sky", &hosts::join(hosts::WGPU_SKY), &[&bound.layout])?;
     let patches = TerrainDraw::new(gpu, scene.field, &scene.patches(&view, progress))?;
     let targets = Targets::new(gpu, width, height)?;
-    let _phase = progress.phase("drawing", 1);
-    let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-    gpu.checked("drawing commands", || {
-        patches.draw_depth(&mut targets.depth_pass(&mut encoder), &terrain, &bound, &material);
-        let mut pass = targets.light_pass(&mut encoder);
-        patches.draw_light(&mut pass, &terrain, &bound, &material);
-        sky.draw(&mut pass, &[&bound.group]);
-    })?;
-    gpu.queue.submit([encoder.finish()]);
-    gpu.wait()?;
+    let phase = progress.phase("drawing", patches.pieces() as u64 + 2);
+    let submit = |record: &dyn Fn(&mut wgpu::CommandEncoder)| {
+        let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        gpu.checked("drawing commands", || record(&mut encoder))?;
+        gpu.queue.submit([encoder.finish()]);
+        gpu.wait()?;
+        phase.advance(1);
+        Ok(())
+    };
+    submit(&|encoder| patches.draw_depth(&mut targets.depth_pass(encoder), &terrain, &bound, &material))?;
+    submit(&|encoder| sky.draw(&mut targets.light_pass(encoder, true), &[&bound.group]))?;
+    for piece in 0..patches.pieces() {
+        submit(&|encoder| {
+            patches.draw_light(&mut targets.light_pass(encoder, false), &terrain, &bound, &material, piece);
+        })?;
+    }
     Ok(targets)
 }
 

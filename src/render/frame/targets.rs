@@ -45,15 +45,16 @@ impl Targets {
         })
     }
 
-    /// A pass that keeps the depth and draws light.
-    pub(crate) fn light_pass<'e>(&self, encoder: &'e mut wgpu::CommandEncoder) -> wgpu::RenderPass<'e> {
+    /// A pass that keeps the depth and draws light: the first of a picture, or on top of others.
+    pub(crate) fn light_pass<'e>(&self, encoder: &'e mut wgpu::CommandEncoder, first: bool) -> wgpu::RenderPass<'e> {
+        let load = if first { wgpu::LoadOp::Clear(wgpu::Color::BLACK) } else { wgpu::LoadOp::Load };
         encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("light"),
             color_attachments: &[Some(wgpu::RenderPassColorAttachment {
                 view: &whole(&self.radiance),
                 depth_slice: None,
                 resolve_target: None,
-                ops: wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::BLACK), store: wgpu::StoreOp::Store },
+                ops: wgpu::Operations { load, store: wgpu::StoreOp::Store },
             })],
             depth_stencil_attachment: Some(depth_attachment(wgpu::LoadOp::Load, &whole(&self.depth))),
             ..Default::default()

@@ -106,7 +106,10 @@ fn pipeline(
     })
 }
 
-/// The patches of one picture: a draw per permutation that occurs.
+/// Patches of a draw. A whole picture at once would show no progress, and drivers stop work that takes seconds.
+const PIECE: u32 = 128;
+
+/// The patches of one picture: draws of one permutation each.
 #[derive(Debug)]
 pub(crate) struct TerrainDraw {
     vertices: wgpu::Buffer,
@@ -127,7 +130,9 @@ impl TerrainDraw {
             if instances.len() as u32 > first {
                 let list = grid.indices[permutation].chunks_exact(3);
                 indices.extend(list.flat_map(|t| if flipped { [t[0], t[2], t[1]] } else { [t[0], t[1], t[2]] }));
-                draws.push((first_index..indices.len() as u32, first..instances.len() as u32));
+                let end = instances.len() as u32;
+                let piece = |from: u32| (first_index..indices.len() as u32, from..end.min(from + PIECE));
+                draws.extend((first..end).step_by(PIECE as usize).map(piece));
             }
         }
         gpu.checked("terrain's buffers", || Self {
@@ -138,7 +143,7 @@ impl TerrainDraw {
         })
     }
 
-    /// Draws the depth.
+    /// Draws the depth of everything.
     pub(crate) fn draw_depth(
         &self,
         pass: &mut wgpu::RenderPass<'_>,
@@ -146,34 +151,41 @@ impl TerrainDraw {
         bound: &Bound,
         material: &MaterialGroup,
     ) {
-        self.draw(pass, &pipeline.depth, bound, material);
+        pass.set_pipeline(&pipeline.depth);
+        self.draw(pass, bound, material, &self.draws);
     }
 
-    /// Draws the light of what [`Self::draw_depth`] left in front.
+    /// Pieces of [`Self::draw_light`], each a fraction of a second's work.
+    pub(crate) fn pieces(&self) -> usize {
+        self.draws.len()
+    }
+
+    /// Draws a piece of the light of what [`Self::draw_depth`] left in front.
     pub(crate) fn draw_light(
         &self,
         pass: &mut wgpu::RenderPass<'_>,
         pipeline: &TerrainPipeline,
         bound: &Bound,
         material: &MaterialGroup,
+        piece: usize,
     ) {
-        self.draw(pass, &pipeline.light, bound, material);
+        pass.set_pipeline(&pipeline.light);
+        self.draw(pass, bound, material, &self.draws[piece..=piece]);
     }
 
     fn draw(
         &self,
         pass: &mut wgpu::RenderPass<'_>,
-        pipeline: &wgpu::RenderPipeline,
         bound: &Bound,
         material: &MaterialGroup,
+        draws: &[(Range<u32>, Range<u32>)],
     ) {
-        pass.set_pipeline(pipeline);
         pass.set_bind_group(0, &bound.group, &[]);
         pass.set_bind_group(1, &material.group, &[]);
         pass.set_vertex_buffer(0, self.vertices.slice(..));
         pass.set_vertex_buffer(1, self.instances.slice(..));
         pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint16);
-        for (indices, instances) in &self.draws {
+        for (indices, instances) in draws {
             pass.draw_indexed(indices.clone(), 0, instances.clone());
         }
     }

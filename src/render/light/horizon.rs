@@ -41,7 +41,7 @@ impl Horizons {
     #[must_use]
     pub fn new(land: Land<'_>, direction: DVec2, done: &(dyn Fn(u64) + Sync)) -> Self {
         let field = land.field;
-        let sweep = Sweep::new(land, direction);
+        let sweep = Sweep::new(land, direction).laid_out();
         let lines: Vec<Line> = (0..sweep.lines)
             .into_par_iter()
             .map(|line| {
@@ -82,6 +82,8 @@ struct Sweep<'a> {
     major: usize,
     /// Whether step 0 is at the high end of the major axis.
     from_high: bool,
+    /// The map with steps side by side: lines walk along memory.
+    heights: Vec<f32>,
     slope: f64,
     /// Texels on the major and minor axis.
     steps: i64,
@@ -112,7 +114,15 @@ impl<'a> Sweep<'a> {
         let ahead = (beyond / stride).ceil() as i64;
         let aside = (ahead as f64 * slope.abs()).ceil() as i64;
         let lines = (last - first + 1) as usize;
-        Self { field, major, from_high, slope, steps, across, stride, first, lines, ahead, aside }
+        let heights = Vec::new();
+        Self { field, major, from_high, heights, slope, steps, across, stride, first, lines, ahead, aside }
+    }
+
+    /// With the map in memory as lines need it.
+    fn laid_out(mut self) -> Self {
+        let (steps, texels) = (self.steps, self.steps * self.across);
+        self.heights = (0..texels).into_par_iter().map(|i| self.texel_height(i % steps, i / steps)).collect();
+        self
     }
 
     /// Whole and broken part of a line's drift after some steps; every line has the same.
@@ -122,9 +132,18 @@ impl<'a> Sweep<'a> {
     }
 
     fn height(&self, step: i64, minor: i64) -> f64 {
+        let inside = (0..self.steps).contains(&step) && (0..self.across).contains(&minor);
+        f64::from(if inside {
+            self.heights[(minor * self.steps + step) as usize]
+        } else {
+            self.texel_height(step, minor)
+        })
+    }
+
+    fn texel_height(&self, step: i64, minor: i64) -> f32 {
         let major = if self.from_high { self.steps - 1 - step } else { step };
         let texel = if self.major == 0 { [major, minor] } else { [minor, major] };
-        f64::from(self.field.mirrored(texel[0], texel[1]))
+        self.field.mirrored(texel[0], texel[1])
     }
 
     fn line(&self, line: usize) -> Line {

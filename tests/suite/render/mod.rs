@@ -5,4 +5,5 @@ mod geometry;
 mod light;
 mod material;
 mod picture;
+mod tint;
 mod world;
