@@ -7,6 +7,7 @@ mod nodes;
 mod project;
 mod render;
 
+use std::io::Write as _;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
@@ -15,6 +16,9 @@ use clap::{Parser, Subcommand};
 #[derive(Debug, Parser)]
 #[command(version, about, after_help = AFTER_HELP)]
 pub(crate) struct Cli {
+    /// Say on stderr how long each step took
+    #[arg(short, long, global = true)]
+    verbose: bool,
     #[command(subcommand)]
     command: Command,
 }
@@ -41,6 +45,11 @@ enum Command {
 impl Cli {
     /// Runs the command and says on stderr what went wrong.
     pub(crate) fn run(self) -> ExitCode {
+        if self.verbose {
+            let mut logger = env_logger::Builder::new();
+            logger.filter_module("terrane", log::LevelFilter::Debug);
+            logger.format(|line, record| writeln!(line, "{}", record.args())).init();
+        }
         let result = match self.command {
             Command::New(command) => command.run(),
             Command::Check(command) => command.run(),

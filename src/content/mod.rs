@@ -21,6 +21,7 @@ pub mod terrain;
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
+use std::time::Instant;
 
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
@@ -94,7 +95,9 @@ impl<'a> Order<'a> {
 
     fn fill(&self) -> Result<Vec<PathBuf>, Error> {
         let mark = self.mark();
+        let start = Instant::now();
         let maps = (self.maker.make)(&self.arguments);
+        log::debug!("{}: {:.3} s", self.made.path, start.elapsed().as_secs_f64());
         let write = |((file, _), map): (&(String, _), &map::Map)| {
             let path = self.root.join(file);
             store::write(&path, map, &mark).map(|()| path)

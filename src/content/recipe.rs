@@ -73,7 +73,7 @@ pub const MAKERS: &[Maker] = &[
     maker_of("grass", 1, |arguments| material::grass::make(arguments).maps(arguments)),
     maker_of("mesas", 1, terrain::mesas::make),
     maker_of("moss", 1, |arguments| material::moss::make(arguments).maps(arguments)),
-    maker_of("mountains", 2, terrain::mountains::make),
+    maker_of("mountains", 3, terrain::mountains::make),
     maker_of("mud", 1, |arguments| material::mud::make(arguments).maps(arguments)),
     maker_of("pebbles", 1, |arguments| material::pebbles::make(arguments).maps(arguments)),
     maker_of("ripples", 1, |arguments| material::ripples::make(arguments).maps(arguments)),

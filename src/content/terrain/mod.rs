@@ -1,4 +1,5 @@
 //! Height maps, made by the forces that make land.
+pub mod crags;
 pub mod debris;
 pub mod dunes;
 pub mod flow;

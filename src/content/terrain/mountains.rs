@@ -5,6 +5,7 @@ use super::super::field::Field;
 use super::super::map::Map;
 use super::super::noise::Noise;
 use super::super::recipe::Arguments;
+use super::crags::{Crags, carve};
 use super::debris::{Weather, weather};
 use super::flow::Flow;
 use super::land::Land;
@@ -54,6 +55,7 @@ impl Range {
         let mut debris = vec![0.0; land.height.len()];
         let rounds = (60.0 * 2.0 / land.cell).clamp(10.0, 90.0) as u32;
         weather(&mut land, &mut debris, &Weather { rock: 0.95, rate: 0.35, rest: 0.64, rounds });
+        carve(&mut land, &debris, &Crags { seed: self.seed ^ 0x61, apart: 90.0, depth: 26.0, steep: (0.6, 1.05) });
         let flow = cut(&mut land, &self.rock(size), 0.02, self.seed, &mut Vec::new());
         (land, flow, debris)
     }

@@ -147,7 +147,7 @@ fn sampler(gpu: &Gpu, sampling: Sampling) -> wgpu::Sampler {
         mag_filter: filter,
         min_filter: filter,
         mipmap_filter: mips,
-        anisotropy_clamp: u16::from(sampling.anisotropy.clamp(1, 16)),
+        anisotropy_clamp: gpu.anisotropy(sampling.anisotropy),
         ..Default::default()
     })
 }
