@@ -8,6 +8,8 @@ use super::texture::{Count, Load, Region, Sample, Textures, Within};
 /// A texture array with its mip levels.
 #[derive(Clone, Debug)]
 pub struct Image {
+    /// How far a filtered value may be off whatever the weights, for the precision of the format.
+    doubt: f64,
     layers: u32,
     /// The finest first.
     levels: Vec<Level>,
@@ -28,10 +30,16 @@ impl Image {
     /// # Panics
     /// If a size is 0, or the texels are not `width * height * layers`.
     pub fn new(width: u32, height: u32, layers: u32, texels: Vec<[f64; 4]>) -> Self {
-        let image = Self { layers, levels: vec![Level { width, height, texels }] };
+        let image = Self { doubt: 0.0, layers, levels: vec![Level { width, height, texels }] };
         assert!(width > 0 && height > 0 && layers > 0, "a texture has texels");
         assert_eq!(image.levels[0].texels.len(), width as usize * height as usize * layers as usize, "texels");
         image
+    }
+
+    /// With values that may be off by so much when they are filtered: an eight-bit format may be filtered in eight bits.
+    #[must_use]
+    pub fn with_doubt(self, doubt: f64) -> Self {
+        Self { doubt, ..self }
     }
 
     /// With the next coarser mip level: half the size, rounded down, at least 1.
@@ -118,6 +126,9 @@ pub struct Sampler {
     pub linear: bool,
     /// Between mip levels: linear, else nearest.
     pub linear_levels: bool,
+    /// How many samples an implementation may take along a footprint; 1 for none but the one at the coordinates. The
+    /// filters here take one; what others may make of more is in the bounds of a region.
+    pub anisotropy: u16,
 }
 
 /// Textures and samplers by number.

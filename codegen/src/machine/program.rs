@@ -140,6 +140,7 @@ pub(super) enum Instruction {
     FloatTernary { op: FloatTernary, to: u32, a: u32, b: u32, c: u32 },
     FloatComparison { op: FloatComparison, to: u32, a: u32, b: u32 },
     Dot { to: u32, a: Vec<u32>, b: Vec<u32> },
+    SquareSum { to: u32, x: Vec<u32> },
     IntUnary { op: IntUnary, to: u32, x: u32 },
     IntBinary { op: IntBinary, to: u32, a: u32, b: u32 },
     IntComparison { op: IntComparison, to: u32, a: u32, b: u32 },

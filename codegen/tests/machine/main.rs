@@ -7,7 +7,6 @@ mod errors;
 mod integers;
 mod library;
 mod memory;
-mod nodes;
 mod probe;
 mod random;
 mod rounding;

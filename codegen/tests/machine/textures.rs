@@ -34,7 +34,7 @@ fn images() -> Images {
     let texel = |i: u32| [f64::from(i % 4), f64::from(i / 4 % 2), f64::from(i / 8), 1.0];
     let array = Image::new(4, 2, 2, (0..16).map(texel).collect()).with_mean_levels();
     let words = Image::new(2, 1, 1, vec![[f64::from(u32::MAX), 0.0, 0.0, 1.0], [7.0, 0.0, 0.0, 1.0]]);
-    let sampler = |wrap, linear| Sampler { wrap, linear, linear_levels: linear };
+    let sampler = |wrap, linear| Sampler { wrap, linear, linear_levels: linear, anisotropy: 1 };
     Images {
         images: vec![array, words],
         samplers: vec![

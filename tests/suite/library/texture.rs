@@ -9,7 +9,7 @@ pub(super) static EXAMPLE: LazyLock<Images> = LazyLock::new(|| {
     let texels = (0..16).map(|index| texel(index % 4, index / 4)).collect();
     Images {
         images: vec![Image::new(4, 4, 1, texels)],
-        samplers: vec![Sampler { wrap: Wrap::Repeat, linear: true, linear_levels: true }],
+        samplers: vec![Sampler { wrap: Wrap::Repeat, linear: true, linear_levels: true, anisotropy: 1 }],
     }
 });
 

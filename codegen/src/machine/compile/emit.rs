@@ -22,6 +22,9 @@ impl Compiler<'_> {
     }
 
     pub(super) fn float_binary(&mut self, op: FloatBinary, a: u32, b: u32) -> u32 {
+        if op == FloatBinary::Multiply && a == b {
+            return self.float_unary(FloatUnary::Square, a);
+        }
         self.append(Bank::Float, |to| Instruction::FloatBinary { op, to, a, b })
     }
 
@@ -34,6 +37,9 @@ impl Compiler<'_> {
     }
 
     pub(super) fn dot(&mut self, a: Vec<u32>, b: Vec<u32>) -> u32 {
+        if a == b {
+            return self.append(Bank::Float, |to| Instruction::SquareSum { to, x: a });
+        }
         self.append(Bank::Float, |to| Instruction::Dot { to, a, b })
     }
 

@@ -44,6 +44,7 @@ impl Domain for F64 {
             FloatUnary::Trunc => x.trunc(),
             FloatUnary::Fract => x - x.floor(),
             FloatUnary::Saturate => Self::float_ternary(FloatTernary::Clamp, x, 0.0, 1.0),
+            FloatUnary::Square => x * x,
             FloatUnary::Sqrt => x.sqrt(),
             FloatUnary::InverseSqrt => 1.0 / x.sqrt(),
             FloatUnary::Radians => x.to_radians(),

@@ -61,6 +61,10 @@ pub trait Domain: Copy + Debug + Send + Sync + 'static {
     fn float_ternary(op: FloatTernary, a: Self::Float, b: Self::Float, c: Self::Float) -> Self::Float;
     /// The sum of the products; both slices are of one length, 2 to 4.
     fn dot(a: &[Self::Float], b: &[Self::Float]) -> Self::Float;
+    /// The sum of the squares, 2 to 4 of them.
+    fn square_sum(x: &[Self::Float]) -> Self::Float {
+        Self::dot(x, x)
+    }
     /// Compares two floats.
     fn float_comparison(op: FloatComparison, a: Self::Float, b: Self::Float) -> Self::Truth;
 

@@ -47,6 +47,8 @@ operations! { $
         Fract,
         /// Clamped to 0..1.
         Saturate,
+        /// `x * x`, known to be one number twice.
+        Square,
         /// `sqrt(x)`.
         Sqrt,
         /// `1 / sqrt(x)`.

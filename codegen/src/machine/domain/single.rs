@@ -39,6 +39,7 @@ impl Domain for F32 {
             FloatUnary::Trunc => trunc(x),
             FloatUnary::Fract => x - floor(x),
             FloatUnary::Saturate => Self::float_ternary(FloatTernary::Clamp, x, 0.0, 1.0),
+            FloatUnary::Square => x * x,
             FloatUnary::Sqrt => x.sqrt(),
             FloatUnary::InverseSqrt => (1.0 / f64::from(x).sqrt()) as f32,
             FloatUnary::Radians => x * (std::f32::consts::PI / 180.0),

@@ -49,6 +49,6 @@ fn position(coordinate: f64, size: u32) -> f64 {
     if position.is_finite() { position } else { 0.0 }
 }
 
-fn mix(a: [f64; 4], b: [f64; 4], t: f64) -> [f64; 4] {
+pub(super) fn mix(a: [f64; 4], b: [f64; 4], t: f64) -> [f64; 4] {
     std::array::from_fn(|i| a[i] * (1.0 - t) + b[i] * t)
 }

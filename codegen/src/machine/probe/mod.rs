@@ -4,11 +4,13 @@
 //! words, point by point. Whoever has a GPU runs it; [`Probe::judge`] says which results no conforming implementation
 //! may give. Nothing here knows how shaders are run.
 
+mod arguments;
 mod text;
 mod verdict;
 
 use naga::{Handle, Module, Type};
 
+pub use self::arguments::arguments;
 use self::text::Text;
 pub use self::verdict::{Accepted, Rejection, Verdict};
 use super::domain::{Domain, F32};

@@ -6,11 +6,11 @@ use super::super::program::{Bank, Conversion, Instruction};
 use super::Run;
 use super::active::Active;
 use super::frame::{Floats, Frame, InBank, Ints, Truths};
-use super::lane::{View, map1, map2, map3};
+use super::lane::{Lane, View, map1, map2, map3};
 use super::transfer::load_element;
 use crate::machine::domain::{
-    Domain, FloatBinary, FloatComparison, FloatTernary, FloatUnary, IntBinary, IntComparison, IntUnary, TruthBinary,
-    each_float_binary, each_float_comparison, each_float_ternary, each_float_unary, each_int_binary,
+    Cell, Domain, FloatBinary, FloatComparison, FloatTernary, FloatUnary, IntBinary, IntComparison, IntUnary,
+    TruthBinary, each_float_binary, each_float_comparison, each_float_ternary, each_float_unary, each_int_binary,
     each_int_comparison, each_int_unary, each_truth_binary,
 };
 use crate::machine::error::MachineError;
@@ -29,6 +29,7 @@ impl<D: Domain> Run<'_, D> {
             Instruction::FloatTernary { op, to, a, b, c } => float_ternary(frame, active, *op, *to, [*a, *b, *c]),
             Instruction::FloatComparison { op, to, a, b } => float_comparison(frame, active, *op, *to, [*a, *b]),
             Instruction::Dot { to, a, b } => dot(frame, active, *to, a, b),
+            Instruction::SquareSum { to, x } => square_sum(frame, active, *to, x),
             Instruction::IntUnary { op, to, x } => int_unary(frame, active, *op, *to, *x),
             Instruction::IntBinary { op, to, a, b } => int_binary(frame, active, *op, *to, [*a, *b]),
             Instruction::IntComparison { op, to, a, b } => int_comparison(frame, active, *op, *to, [*a, *b]),
@@ -111,11 +112,23 @@ fn dot<D: Domain>(frame: &mut Frame<D>, active: &Active, to: u32, a: &[u32], b: 
     frame.floats[to as usize] = out;
 }
 
+fn square_sum<D: Domain>(frame: &mut Frame<D>, active: &Active, to: u32, x: &[u32]) {
+    let mut out = take(&mut frame.floats[to as usize]);
+    let at = |i: usize| (frame.float(x[i]), View::One(D::Float::default()));
+    let of = |x: &[D::Float], _: &[D::Float]| D::square_sum(x);
+    match x.len() {
+        2 => dot_of(active, [at(0), at(1)], &mut out, of),
+        3 => dot_of(active, [at(0), at(1), at(2)], &mut out, of),
+        _ => dot_of(active, [at(0), at(1), at(2), at(3)], &mut out, of),
+    }
+    frame.floats[to as usize] = out;
+}
+
 #[inline(always)]
-fn dot_of<T: crate::machine::domain::Cell, const N: usize>(
+fn dot_of<T: Cell, const N: usize>(
     active: &Active,
     pairs: [(View<'_, T>, View<'_, T>); N],
-    out: &mut super::lane::Lane<T>,
+    out: &mut Lane<T>,
     f: impl Fn(&[T], &[T]) -> T,
 ) {
     let value = |lane| f(&pairs.map(|(a, _)| a.at(lane)), &pairs.map(|(_, b)| b.at(lane)));

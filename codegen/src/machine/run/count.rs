@@ -32,7 +32,9 @@ impl<D: Domain> Run<'_, D> {
                     (&mut counts.arithmetic, 8)
                 }
             },
-            Instruction::Dot { a, .. } => (&mut counts.arithmetic, 2 * a.len() as u64 - 1),
+            Instruction::Dot { a, .. } | Instruction::SquareSum { x: a, .. } => {
+                (&mut counts.arithmetic, 2 * a.len() as u64 - 1)
+            }
             Instruction::IntUnary { .. } | Instruction::IntBinary { .. } => (&mut counts.integer, 1),
             Instruction::FloatComparison { .. }
             | Instruction::IntComparison { .. }
@@ -60,6 +62,7 @@ fn is_arithmetic(op: FloatUnary) -> bool {
             | FloatUnary::Trunc
             | FloatUnary::Fract
             | FloatUnary::Saturate
+            | FloatUnary::Square
             | FloatUnary::Radians
             | FloatUnary::Degrees
             | FloatUnary::QuantizeToF16

@@ -18,6 +18,7 @@ pub(super) fn unary(op: FloatUnary, x: Interval) -> Interval {
         FloatUnary::Trunc => exact(f32::trunc),
         FloatUnary::Fract => fract(x),
         FloatUnary::Saturate => exact(|x| x.clamp(0.0, 1.0)),
+        FloatUnary::Square => square(x),
         FloatUnary::InverseSqrt => inverse_sqrt(x),
         FloatUnary::QuantizeToF16 => quantize(x),
         FloatUnary::FrexpFraction => frexp_fraction(x),
@@ -70,6 +71,12 @@ pub(super) fn multiply(a: Interval, b: Interval) -> Interval {
     // The product of two `f32` is exact in `f64`.
     let (low, high) = corners(a, b, |a, b| a * b);
     Interval::rounded(low, high)
+}
+
+/// The product of a number with itself, which is never negative.
+fn square(x: Interval) -> Interval {
+    let (low, high) = unary(FloatUnary::Abs, x).bounds();
+    Interval::rounded(low * low, high * high)
 }
 
 /// 2.5 ULP for a divisor of magnitude 2^-126 to 2^126, else nothing is known.

@@ -9,7 +9,7 @@ pub(super) fn unary(op: FloatUnary, x: Interval) -> Interval {
     let one = Interval::point(1.0);
     let half = Interval::point(0.5);
     match op {
-        FloatUnary::Sqrt => both(one, inverse_sqrt(x), divide),
+        FloatUnary::Sqrt => sqrt(x),
         FloatUnary::Tan => both(of(FloatUnary::Sin, x), of(FloatUnary::Cos, x), divide),
         FloatUnary::Sinh => both(exponentials(x, FloatBinary::Subtract), half, multiply),
         FloatUnary::Cosh => both(exponentials(x, FloatBinary::Add), half, multiply),
@@ -89,6 +89,25 @@ fn smooth_step(low: Interval, high: Interval, x: Interval) -> Interval {
 pub(super) fn dot(a: &[Interval], b: &[Interval]) -> Interval {
     let products: Vec<Interval> = a.iter().zip(b).map(|(a, b)| both(*a, *b, multiply)).collect();
     sum(&products)
+}
+
+/// As [`dot`] with itself.
+pub(super) fn square_sum(x: &[Interval]) -> Interval {
+    let squares: Vec<Interval> = x.iter().map(|x| then(*x, |x| of(FloatUnary::Square, x))).collect();
+    sum(&squares)
+}
+
+/// `1 / inverseSqrt(x)`.
+///
+/// That says nothing of 0, and the conformance tests accept anything there. But an implementation for which the root of
+/// 0 were not 0 would break every `length`, and there is none: 0 is what is accepted.
+fn sqrt(x: Interval) -> Interval {
+    let root = |x: f32| both(Interval::point(1.0), inverse_sqrt(Interval::point(x)), divide);
+    match (x.low(), x.high()) {
+        (0.0, 0.0) => Interval::point(0.0),
+        (0.0, high) => then(root(high), |root| Interval::new(0.0, root.high())),
+        _ => both(Interval::point(1.0), inverse_sqrt(x), divide),
+    }
 }
 
 /// Every way to add the terms two by two.

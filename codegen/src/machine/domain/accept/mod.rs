@@ -103,6 +103,10 @@ impl Domain for Accept {
         inherited::dot(a, b)
     }
 
+    fn square_sum(x: &[Interval]) -> Interval {
+        inherited::square_sum(x)
+    }
+
     fn float_comparison(op: FloatComparison, a: Interval, b: Interval) -> Three {
         arithmetic::compare(op, a, b)
     }
