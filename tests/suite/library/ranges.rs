@@ -2,7 +2,7 @@
 //! random ones and every corner.
 
 use terrane_codegen::library::{Overload, Port};
-use terrane_codegen::machine::{Component, Value};
+use terrane_codegen::machine::{Component, F32, Value};
 use terrane_codegen::value::Type;
 
 use super::LIBRARY;
@@ -59,14 +59,14 @@ impl Random {
 }
 
 /// Values for a port at every point; a texture port is three arguments.
-fn arguments(random: &mut Random, port: &Port) -> Vec<Value<Watched>> {
+fn arguments(random: &mut Random, port: &Port) -> Vec<Value<F32>> {
     match &port.ty {
         Type::Texture => vec![Value::handle(0), Value::handle(0), Value::i32(&[0])],
         _ => vec![argument(random, port)],
     }
 }
 
-fn argument(random: &mut Random, port: &Port) -> Value<Watched> {
+fn argument(random: &mut Random, port: &Port) -> Value<F32> {
     let range = port.range.unwrap_or((0.0, 65535.0));
     let mut numbers = || (0..POINTS).map(|_| random.number(range)).collect::<Vec<f32>>();
     match &port.ty {
@@ -84,7 +84,7 @@ fn argument(random: &mut Random, port: &Port) -> Value<Watched> {
 }
 
 /// Overwrites the first points with the corners of the ports' ranges, as far as there is room.
-fn corners(arguments: &mut [Vec<Value<Watched>>], inputs: &[Port]) {
+fn corners(arguments: &mut [Vec<Value<F32>>], inputs: &[Port]) {
     let mut bit = 0;
     for (values, port) in arguments.iter_mut().zip(inputs) {
         let (Some((low, high)), true) = (port.range, port.ty.components().is_some()) else { continue };
@@ -99,7 +99,7 @@ fn corners(arguments: &mut [Vec<Value<Watched>>], inputs: &[Port]) {
 }
 
 /// Behind the corners: for each port a point where all of it is 0, as near as its range allows; vectors without a direction.
-fn zeros(arguments: &mut [Vec<Value<Watched>>], inputs: &[Port]) {
+fn zeros(arguments: &mut [Vec<Value<F32>>], inputs: &[Port]) {
     for (index, (values, port)) in arguments.iter_mut().zip(inputs).enumerate() {
         let Some((low, high)) = port.range else { continue };
         for component in values.iter_mut().flat_map(|value| &mut value.components) {
@@ -119,21 +119,21 @@ pub(super) fn output_ranges(overload: &Overload) -> Vec<Option<(f32, f32)>> {
     }
 }
 
-/// Arguments for a node at so many points, one list for each of its ports: random, with all corners first.
-pub(super) fn inputs(overload: &Overload) -> Vec<Vec<Value<Watched>>> {
+/// Arguments for a node at [`POINTS`] points: random, with all corners first.
+pub(super) fn inputs(overload: &Overload) -> Vec<Value<F32>> {
     let seed = overload.function.bytes().fold(1, |seed: u64, byte| seed.wrapping_mul(31) + u64::from(byte));
     let mut random = Random(seed);
-    let mut values: Vec<Vec<Value<Watched>>> =
-        overload.inputs.iter().map(|port| arguments(&mut random, port)).collect();
+    let mut values: Vec<Vec<Value<F32>>> = overload.inputs.iter().map(|port| arguments(&mut random, port)).collect();
     corners(&mut values, &overload.inputs);
     zeros(&mut values, &overload.inputs);
-    values
+    values.concat()
 }
 
 fn check(overload: &Overload) -> Vec<String> {
     let values = inputs(overload);
     take_hazard();
-    let (result, _) = match machine().call(&overload.function, &values.concat(), POINTS) {
+    let watched: Vec<Value<Watched>> = values.iter().map(Value::to).collect();
+    let (result, _) = match machine().call(&overload.function, &watched, POINTS) {
         Ok(result) => result,
         Err(error) => return vec![format!("{}: {error}", overload.function)],
     };
@@ -148,13 +148,19 @@ fn check(overload: &Overload) -> Vec<String> {
     bad.chain(undefined).collect()
 }
 
-pub(super) fn witness(overload: &Overload, values: &[Vec<Value<Watched>>], point: usize, components: &[f32]) -> String {
-    let shown: Vec<String> =
-        overload.inputs.iter().zip(values).map(|(port, values)| show(port, &values[0], point)).collect();
-    format!("{}({}) is {components:?}, declared {:?}", overload.function, shown.join(", "), output_ranges(overload))
+/// Where a result is wrong, with the arguments and the declared range.
+pub(super) fn witness(overload: &Overload, values: &[Value<F32>], point: usize, components: &[f32]) -> String {
+    let mut values = values.iter();
+    let shown = overload.inputs.iter().map(|port| {
+        // A texture port is three arguments, and the same one everywhere.
+        let value = values.nth(if port.ty == Type::Texture { 2 } else { 0 });
+        value.map_or_else(String::new, |value| show(port, value, point))
+    });
+    let shown = shown.collect::<Vec<_>>().join(", ");
+    format!("{}({shown}) is {components:?}, declared {:?}", overload.function, output_ranges(overload))
 }
 
-fn show(port: &Port, value: &Value<Watched>, point: usize) -> String {
+fn show(port: &Port, value: &Value<F32>, point: usize) -> String {
     let part = |index| {
         let float = value.float_at(index, point).map(|number| format!("{number:?}"));
         float.or_else(|| value.int_at(index, point).map(|number| format!("{number:?}"))).unwrap_or_default()

@@ -8,7 +8,7 @@ use terrane_codegen::machine::{Image, Images, Sampler, Wrap};
 pub(super) static EXAMPLE: LazyLock<Images> = LazyLock::new(|| {
     let texels = (0..16).map(|index| texel(index % 4, index / 4)).collect();
     Images {
-        images: vec![Image::new(4, 4, 1, texels)],
+        images: vec![Image::new(4, 4, 1, texels).with_doubt(1.5 / 255.0)],
         samplers: vec![Sampler { wrap: Wrap::Repeat, linear: true, linear_levels: true, anisotropy: 1 }],
     }
 });

@@ -70,7 +70,7 @@ fn coord(random: &mut Random, points: usize) -> Value<F32> {
 fn gradients(random: &mut Random, count: usize, points: usize) -> Value<F32> {
     let mut one = |point: usize| {
         let (size, number) = (random.unit(), random.unit() - 0.5);
-        if point % STILL == 0 { 0.0 } else { number * (size * size) * (size * size) }
+        if point.is_multiple_of(STILL) { 0.0 } else { number * (size * size) * (size * size) }
     };
     Value::join((0..count).map(|_| Value::f32(&(0..points).map(&mut one).collect::<Vec<_>>())))
 }

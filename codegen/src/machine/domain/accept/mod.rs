@@ -12,7 +12,8 @@
 //! - an expression may be fused (`a * b + c` rounded once): the exact product lies in the product's interval;
 //! - `dot` may be summed in any order.
 //!
-//! Compilers may reassociate sums in the shader's own text as well (WGSL 15.7.5); that is not modelled.
+//! Compilers may reassociate sums in the shader's own text as well (WGSL 15.7.5); that is not modelled, and who
+//! judges a device leaves a few units in the last place for it.
 //!
 //! Integers are sets of a few values, or ranges. A condition on overlapping intervals is open: both sides run.
 
