@@ -1,0 +1,58 @@
+//! Displaced surfaces: of a material, and how a terrain traces and shadows them.
+
+use super::Input;
+use crate::diagnostic::Span;
+
+/// The displaced surface of a material.
+#[derive(Clone, Debug)]
+pub struct Relief {
+    /// Position in [`Graph::textures`](super::Graph::textures).
+    pub texture: usize,
+    /// A `Coord`.
+    pub uv: Input,
+    /// Metres from height 1 down to height 0.
+    pub depth: f32,
+    /// The entry in the file.
+    pub span: Span,
+}
+
+/// How a terrain traces the displaced surface of its materials.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ReliefTrace {
+    /// Which tracer.
+    pub method: ReliefMethod,
+    /// Where along the ray the masks are evaluated.
+    pub weights: ReliefWeights,
+    /// Metres from the eye: where relief begins to fade into normal mapping, and where it is gone.
+    pub fade: (f32, f32),
+}
+
+/// Which tracer finds the displaced surface.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum ReliefMethod {
+    /// The fastest that keeps its error, on this map and platform.
+    Auto {
+        /// Texels of the height map, 0.001..64.
+        max_error: f32,
+    },
+}
+
+/// Where along a ray the masks of the layers are evaluated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ReliefWeights {
+    /// Once, where the ray enters: cheap, layers may float at seams.
+    Entry,
+    /// At every step, exact.
+    AlongRay,
+}
+
+/// The sun's shadow at the scale of a material.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum ReliefShadow {
+    /// None.
+    Off,
+    /// A ray to the middle of the sun.
+    Hard,
+    /// A cone: the further the blocker, the softer.
+    Cone,
+}

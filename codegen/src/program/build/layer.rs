@@ -1,0 +1,76 @@
+//! Layers: surfaces under their masks.
+
+use std::collections::BTreeMap;
+
+use super::Builder;
+use super::graph::Context;
+use crate::diagnostic::Span;
+use crate::graph::model::{FrameField, GraphId, LayerMask, Relief, SURFACE_OUTPUTS};
+use crate::program::{Op, ProgramLayer, ValueId};
+use crate::value::Literal;
+
+impl<'a> Builder<'a> {
+    /// A surface that lies twice gets a number, so that each layer has parameters of its own.
+    pub(super) fn layer_name(&self, surface: GraphId) -> String {
+        let graph = &self.graphs.graphs[surface.0];
+        let same = self.program.layers.iter().filter(|layer| layer.path == graph.path).count();
+        if same == 0 { graph.name.clone() } else { format!("{}_{}", graph.name, same + 1) }
+    }
+
+    pub(super) fn layer_mask(&mut self, mask: &LayerMask) -> Option<ValueId> {
+        match mask {
+            LayerMask::Full => None,
+            LayerMask::Painted(texture) => {
+                let of = self.texture(texture);
+                let uv = self.leaf(Op::Frame(FrameField::TerrainUv), FrameField::TerrainUv.ty());
+                let file = texture.file.rsplit('/').next().unwrap_or_default();
+                let name = file.split('.').next().unwrap_or_default();
+                Some(self.sample(of, uv, texture.channel.unwrap_or(0), name.to_owned(), texture.span))
+            }
+            LayerMask::Graph(id) => Some(match self.masks.get(id) {
+                Some(known) => *known,
+                None => {
+                    let graph = &self.graphs.graphs[id.0];
+                    let context = self.graph(graph, graph.name.clone(), &BTreeMap::new());
+                    let value = self.input(&context, &graph.outputs["mask"].input);
+                    self.masks.insert(*id, value);
+                    value
+                }
+            }),
+        }
+    }
+
+    pub(super) fn layer(
+        &mut self,
+        surface: GraphId,
+        name: String,
+        overrides: &BTreeMap<String, Literal>,
+        layer_mask: Option<ValueId>,
+        span: Span,
+    ) {
+        let graph = &self.graphs.graphs[surface.0];
+        let context = self.graph(graph, name.clone(), overrides);
+        let mut outputs: BTreeMap<&'static str, ValueId> = BTreeMap::new();
+        for (output, _, default) in SURFACE_OUTPUTS {
+            let value = match (graph.outputs.get(*output), &graph.relief, default) {
+                (Some(given), _, _) => self.input(&context, &given.input),
+                (None, Some(relief), _) if *output == "height" => self.relief_height(&context, relief),
+                (None, _, Some(default)) => self.literal(Literal::floats(default)),
+                // Resolution refuses a surface without the outputs that have no default.
+                (None, _, None) => continue,
+            };
+            outputs.insert(output, value);
+        }
+        let own = outputs.remove("mask").unwrap_or_else(|| self.literal(Literal::f32(1.0)));
+        let mask = layer_mask.map_or(own, |mask| self.product(own, mask, &context.path, span));
+        let (path, doc) = (graph.path.clone(), graph.doc.clone());
+        self.program.layers.push(ProgramLayer { name, path, doc, mask, outputs, span });
+    }
+
+    fn relief_height(&mut self, context: &Context<'a>, relief: &Relief) -> ValueId {
+        let texture = &context.graph.textures[relief.texture];
+        let of = self.texture(texture);
+        let uv = self.input(context, &relief.uv);
+        self.sample(of, uv, texture.channel.unwrap_or(0), format!("{}/relief", context.path), relief.span)
+    }
+}
