@@ -46,8 +46,7 @@ impl Build {
     }
 
     fn write(&self, name: &str, text: &str) -> Result<(), Failure> {
-        let path = self.output.join(name);
-        file::write(&path, text.as_bytes()).map_err(|error| Failure::file("write", &path, &error))
+        Ok(file::write(&self.output.join(name), text.as_bytes())?)
     }
 }
 
@@ -69,12 +68,11 @@ fn compile(project: &mut Project, path: &str) -> Result<Compiled, Failure> {
 /// Makes what is missing, then puts every file that the manifest names beside it.
 fn copy_textures(project: &Project, compiled: &Compiled, output: &Path) -> Result<(), Failure> {
     let files = scene::files(compiled);
-    content::make(project, &files).map_err(|error| Failure::Machine(error.to_string()))?;
+    content::make(project, &files)?;
     for name in files {
         let from = project.root().join(&name);
-        let bytes = std::fs::read(&from).map_err(|error| Failure::file("read", &from, &error))?;
-        let to = output.join(&name);
-        file::write(&to, &bytes).map_err(|error| Failure::file("write", &to, &error))?;
+        let bytes = std::fs::read(&from).map_err(|error| Failure::unread(&from, &error))?;
+        file::write(&output.join(&name), &bytes)?;
     }
     Ok(())
 }

@@ -86,8 +86,14 @@ impl Failure {
         ExitCode::from(code)
     }
 
-    /// A file that could not be read or written.
-    pub(crate) fn file(doing: &str, path: &std::path::Path, error: &dyn std::fmt::Display) -> Self {
-        Self::Machine(format!("cannot {doing} {}: {error}", path.display()))
+    /// A file that could not be read.
+    pub(crate) fn unread(path: &std::path::Path, error: &std::io::Error) -> Self {
+        Self::Machine(format!("cannot read {}: {error}", path.display()))
+    }
+}
+
+impl From<terrane::file::Error> for Failure {
+    fn from(error: terrane::file::Error) -> Self {
+        Self::Machine(error.to_string())
     }
 }

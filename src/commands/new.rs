@@ -42,8 +42,7 @@ impl New {
             return Err(Failure::Usage(format!("{folder} is there already; name a folder that is not")));
         }
         for (path, text) in FILES {
-            let path = self.folder.join(path);
-            file::write(&path, text.as_bytes()).map_err(|error| Failure::file("write", &path, &error))?;
+            file::write(&self.folder.join(path), text.as_bytes())?;
         }
         println!("cd {}", self.folder.display());
         println!("terrane render graphs/scenes/first_light.ron -o first_light.png");

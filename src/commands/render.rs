@@ -2,9 +2,9 @@
 
 use std::path::PathBuf;
 
-use terrane::content;
 use terrane::render::{Gpu, Image, Preview, Progress, RenderError, Selection, render_preview, render_scene};
 use terrane::scene::{self, Quality};
+use terrane::{content, file};
 use terrane_codegen::compile::Compiled;
 use terrane_codegen::graph::{FileRole, Project};
 
@@ -21,7 +21,7 @@ pub(crate) struct Render {
     /// A scene or a surface
     #[arg(value_name = "GRAPH", required_unless_present = "adapters")]
     graph: Option<PathBuf>,
-    /// The PNG to write
+    /// The PNG to write; folders that are missing are made
     #[arg(short, long, value_name = "PNG", default_value = "terrane.png")]
     output: PathBuf,
     /// Pixels, instead of the scene's own or 1280x720
@@ -59,7 +59,7 @@ impl Render {
             Some(FileRole::Surface) => self.surface(&mut project, &path)?,
             _ => self.scene(&mut project, &path)?,
         };
-        picture.write_png(&self.output).map_err(failure)?;
+        picture.write_png(&self.output)?;
         println!("{}", self.output.display());
         Ok(())
     }
@@ -99,12 +99,13 @@ impl Render {
         render_preview(&gpu, &preview, Progress::Stderr).map_err(failure)
     }
 
-    /// The device before the textures: whoever lacks a driver need not wait to hear of it.
+    /// Output and device before the textures: whoever lacks a driver or a permission need not wait to hear of it.
     fn prepare(&self, project: &Project, compiled: &Compiled) -> Result<Gpu, Failure> {
+        file::check(&self.output)?;
         let selection = self.adapter.as_deref().map_or(Selection::Best, Selection::parse);
         let gpu = Gpu::new(&selection).map_err(failure)?;
         eprintln!("drawing on {}", gpu.name());
-        content::make(project, &scene::files(compiled)).map_err(|error| Failure::Machine(error.to_string()))?;
+        content::make(project, &scene::files(compiled))?;
         Ok(gpu)
     }
 }

@@ -7,7 +7,6 @@
 pub mod canvas;
 pub mod cells;
 pub mod color;
-pub mod error;
 pub mod field;
 pub mod filter;
 pub mod hash;
@@ -27,7 +26,7 @@ use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
 use terrane_codegen::graph::{Made, Project};
 
-pub use error::Error;
+use crate::file::Error;
 use recipe::{Arguments, Maker, maker};
 
 /// Makes those of the project's recipes that give one of `files` (project-relative paths), where a file is missing or

@@ -1,11 +1,11 @@
 //! PNG files that know their recipe, and are replaced in one step or not at all.
 
 use std::fs::File;
-use std::io::{BufReader, BufWriter, Write};
+use std::io::{BufReader, Write};
 use std::path::Path;
 
-use super::error::Error;
 use super::map::{Map, Texels};
+use crate::file::{self, Error};
 
 /// The keyword of the text chunk that holds the recipe.
 const KEYWORD: &str = "terrane:recipe";
@@ -22,30 +22,14 @@ fn read_recipe(path: &Path) -> Option<String> {
     texts.iter().find(|text| text.keyword == KEYWORD).map(|text| text.text.clone())
 }
 
-/// Writes a file beside the target and renames it: a crash leaves what was there before.
+/// Writes the PNG in one step: a crash leaves what was there before.
 ///
 /// # Errors
 /// If the folder cannot be made or the file not be written.
 pub fn write(path: &Path, map: &Map, recipe: &str) -> Result<(), Error> {
-    let failed = |source: std::io::Error| Error { path: path.to_path_buf(), source };
-    let folder = path.parent().unwrap_or(Path::new("."));
-    std::fs::create_dir_all(folder).map_err(failed)?;
-    let mut file = temporary(folder).map_err(failed)?;
-    let mut buffer = BufWriter::new(file.as_file_mut());
-    encode(&mut buffer, map, recipe).map_err(|error| failed(error.into()))?;
-    buffer.flush().map_err(failed)?;
-    drop(buffer);
-    file.persist(path).map_err(|error| failed(error.error))?;
-    Ok(())
-}
-
-fn temporary(folder: &Path) -> std::io::Result<tempfile::NamedTempFile> {
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".").suffix(".png.new");
-    // A temporary file is private by default; a texture need not be.
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o644));
-    builder.tempfile_in(folder)
+    let mut bytes = Vec::new();
+    encode(&mut bytes, map, recipe).map_err(|error| Error { path: path.to_path_buf(), source: error.into() })?;
+    file::write(path, &bytes)
 }
 
 /// The bytes of the PNG.

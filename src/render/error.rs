@@ -49,14 +49,6 @@ pub enum RenderError {
         /// Why not.
         reason: String,
     },
-    /// A picture that cannot be written.
-    #[error("{}: {reason}", .path.display())]
-    Write {
-        /// The file.
-        path: PathBuf,
-        /// Why not.
-        reason: String,
-    },
 }
 
 /// What every fallible function here returns.

@@ -2,7 +2,7 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
-use std::process::Command;
+use std::process::{Command, Output};
 
 use tempfile::TempDir;
 
@@ -30,9 +30,14 @@ impl Scratch {
     /// # Panics
     /// If the command fails.
     pub(crate) fn terrane(&self, arguments: &[&str]) {
-        let mut terrane = Command::new(env!("CARGO_BIN_EXE_terrane"));
-        let output = terrane.args(arguments).current_dir(self.0.path()).output().expect("it can be started");
+        let output = self.run(arguments);
         assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
+    }
+
+    /// Runs `terrane` in it, whatever comes of it.
+    pub(crate) fn run(&self, arguments: &[&str]) -> Output {
+        let mut terrane = Command::new(env!("CARGO_BIN_EXE_terrane"));
+        terrane.args(arguments).current_dir(self.0.path()).output().expect("it can be started")
     }
 }
 

@@ -1,7 +1,5 @@
 //! `cargo demo`: from a fresh clone to a picture.
 
-use std::fs;
-
 use crate::setup;
 use crate::step::{cargo, root, step, succeed};
 use crate::vulkan;
@@ -17,9 +15,6 @@ pub(crate) fn run() -> Result<(), String> {
     setup::install(vulkan::missing().as_slice())?;
     step("build", || succeed(cargo(&["build", "--release", "--locked"])))?;
     let picture = root().join(PICTURE);
-    if let Some(folder) = picture.parent() {
-        fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
-    }
     // `cargo run` and not a path: the user may have moved the target folder.
     let render = ["run", "--release", "--locked", "--quiet", "--", "render", SCENE, "-o", PICTURE];
     step(&format!("render {SCENE}"), || succeed(cargo(&render)))?;
