@@ -36,9 +36,9 @@ fn resolve_agx(radiance: vec3f) -> vec3f {
     );
     let stops = log2(max(inset * radiance, vec3f(1e-10)));
     let encoded = max(resolve_sigmoid(clamp((stops + 12.47393) / 16.5, vec3f(0.0), vec3f(1.0))), vec3f(0.0));
-    let contrast = pow(encoded, vec3f(1.3));
-    let grey = dot(contrast, vec3f(0.2126, 0.7152, 0.0722));
-    let look = max(outset * (grey + 1.35 * (contrast - grey)), vec3f(0.0));
+    let graded = pow(encoded, vec3f(1.3));
+    let grey = dot(graded, vec3f(0.2126, 0.7152, 0.0722));
+    let look = max(outset * (grey + 1.35 * (graded - grey)), vec3f(0.0));
     return min(pow(look, vec3f(2.2)), vec3f(1.0));
 }
 

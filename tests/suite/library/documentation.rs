@@ -69,21 +69,6 @@ fn ranges_of_vectors_are_the_same_in_all_overloads() {
 }
 
 #[test]
-fn nothing_shadows_a_function() {
-    let functions: BTreeSet<&str> =
-        LIBRARY.module.functions.iter().filter_map(|(_, function)| function.name.as_deref()).collect();
-    let mut found = Vec::new();
-    for (_, function) in LIBRARY.module.functions.iter() {
-        let arguments = function.arguments.iter().filter_map(|argument| argument.name.as_ref());
-        let variables = function.local_variables.iter().filter_map(|(_, variable)| variable.name.as_ref());
-        let names = arguments.chain(variables).chain(function.named_expressions.values());
-        let shadows = names.filter(|name| functions.contains(name.as_str()));
-        found.extend(shadows.map(|name| format!("{} declares {name}", function.name.as_deref().unwrap_or_default())));
-    }
-    assert!(found.is_empty(), "{}", found.join("\n"));
-}
-
-#[test]
 fn every_node_may_stand_inside_a_branch() {
     for (_, function) in LIBRARY.module.functions.iter() {
         for (_, expression) in function.expressions.iter() {

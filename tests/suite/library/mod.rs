@@ -9,6 +9,7 @@ mod noise;
 mod normals;
 mod ranges;
 mod sampling;
+mod shadowing;
 mod texture;
 mod watched;
 
