@@ -7,8 +7,7 @@ use std::process::Command;
 use super::files::{File, root, with_endings};
 
 /// Commands of Cargo itself that the documents may name.
-const CARGO: [&str; 11] =
-    ["add", "bench", "build", "clippy", "deny", "doc", "fmt", "insta", "install", "nextest", "test"];
+const CARGO: [&str; 10] = ["add", "bench", "build", "clippy", "deny", "doc", "fmt", "install", "nextest", "test"];
 
 #[test]
 fn the_readme_names_the_two_commands_and_ci_calls_the_second() {
