@@ -117,13 +117,13 @@ impl Gpu {
     }
 }
 
-/// OpenGL lacks parts of core WebGPU and talks to the window system: it is asked only where there is nothing else.
+/// Vulkan, Metal and Direct3D 12, whichever the platform has. OpenGL lacks parts of core WebGPU and is not compiled in.
+///
+/// Mesa's device-selection layer looks for a Wayland display as soon as an instance could present to one, and complains
+/// on stderr where there is none. wgpu always asks for what presenting needs, so only the environment can keep the layer
+/// out: `NODEVICE_SELECT=1`, which is left to the user, who may choose a device through that very layer.
 fn adapters() -> Vec<wgpu::Adapter> {
-    let first = adapters_of(wgpu::Backends::PRIMARY);
-    if first.is_empty() { adapters_of(wgpu::Backends::GL) } else { first }
-}
-
-fn adapters_of(backends: wgpu::Backends) -> Vec<wgpu::Adapter> {
+    let backends = wgpu::Backends::PRIMARY;
     let descriptor = wgpu::InstanceDescriptor { backends, ..wgpu::InstanceDescriptor::new_without_display_handle() };
     let instance = wgpu::Instance::new(descriptor);
     let mut adapters = pollster::block_on(instance.enumerate_adapters(backends));
