@@ -2,7 +2,7 @@
 
 mod support;
 
-use support::{base, project};
+use support::{base, beside_relief, project};
 use terrane_codegen::diagnostic::render;
 use terrane_codegen::graph::model::*;
 use terrane_codegen::graph::{ImageHeader, Memory, Project};
@@ -31,7 +31,7 @@ fn node<'a>(graph: &'a Graph, name: &str) -> &'a Node {
 #[test]
 fn the_valid_project_has_no_findings() {
     let mut project = open(base());
-    let findings = project.check_all();
+    let findings = beside_relief(project.check_all());
     assert!(findings.is_empty(), "{}", render(&findings, &project.sources, false));
     assert_eq!(project.graph_files().len(), 6);
 }
@@ -80,6 +80,17 @@ fn a_surface_is_resolved_completely() {
         (granite.textures[0].name.as_str(), granite.textures[0].size, granite.textures[0].depth),
         ("cracks", (128, 128), 16)
     );
+}
+
+#[test]
+fn exceptions_from_lint_rules_are_kept() {
+    let mut project = open(base());
+    let (graphs, id, _) = project.surface("graphs/surfaces/granite.ron").expect("it is valid");
+    let allow = &graphs.graphs[id.0].allow;
+    assert_eq!(allow.keys().collect::<Vec<_>>(), ["edge"]);
+    let edge = &allow["edge"];
+    assert_eq!((edge.rule.as_str(), edge.reason.as_str()), ("duplicated-subgraph", "kept apart for tweaking"));
+    assert_eq!(project.sources.slice(edge.span), "edge");
 }
 
 #[test]

@@ -1,5 +1,7 @@
 //! `docs/graphs.md` shows a project that works, down to the shader.
 
+mod support;
+
 use std::path::{Path, PathBuf};
 
 use terrane_codegen::check::check;
@@ -44,7 +46,7 @@ fn the_manual_shows_a_project_that_works() {
     let files = manual();
     assert_eq!(files.0.len(), 7, "{:?}", files.0.keys());
     let mut project = open(files);
-    let findings = project.check_all();
+    let findings = support::beside_relief(project.check_all());
     assert!(findings.is_empty(), "{}", render(&findings, &project.sources, false));
     let (graphs, scene, _) = project.scene("graphs/scenes/alpine.ron").expect("it is checked");
     emitted(&project.library, Program::of_terrain(&project.library, &graphs, &scene.terrain, Options::default()));

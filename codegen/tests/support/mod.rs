@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::{env, fs};
 
 use terrane_codegen::diagnostic::{Diagnostic, Sources, render};
-use terrane_codegen::graph::{Memory, OpenError, Project};
+use terrane_codegen::graph::{Memory, OpenError, Project, codes};
 use terrane_codegen::library::Library;
 
 /// Where the cases, the small library and the valid project lie.
@@ -52,6 +52,12 @@ pub(crate) fn library(sources: &mut Sources) -> Library {
     let text = |(path, bytes)| (path, String::from_utf8(bytes).expect("WGSL is UTF-8"));
     let library = Library::from_files(sources, files(&folder().join("_library")).into_iter().map(text));
     library.unwrap_or_else(|findings| panic!("{}", render(&findings, sources, false)))
+}
+
+/// The findings but for the reliefs of the valid project and of the manual, which nothing traces yet.
+pub(crate) fn beside_relief(mut findings: Vec<Diagnostic>) -> Vec<Diagnostic> {
+    findings.retain(|finding| finding.code != codes::RELIEF_NOT_TRACED);
+    findings
 }
 
 /// What is found in some files of a project, as a person sees it.

@@ -18,7 +18,7 @@ pub(crate) struct GraphFile {
     pub(crate) nodes: Vec<Entry<NodeEntry>>,
     pub(crate) outputs: Vec<Entry<Expr>>,
     pub(crate) relief: Option<Entry<ReliefEntry>>,
-    pub(crate) allow: Vec<Named>,
+    pub(crate) allow: Vec<AllowEntry>,
     /// Where to point at when an output is missing.
     pub(crate) outputs_place: Span,
 }
@@ -36,6 +36,14 @@ pub(crate) struct ReliefEntry {
     pub(crate) height: Expr,
     pub(crate) uv: Expr,
     pub(crate) depth: Number,
+}
+
+/// `"node": (rule: …, reason: …)`
+#[derive(Clone, Debug)]
+pub(crate) struct AllowEntry {
+    pub(crate) node: Named,
+    /// Rule and reason, unless something is wrong with them.
+    pub(crate) value: Option<(String, String)>,
 }
 
 /// Reads the fields of a graph.
@@ -168,24 +176,41 @@ fn relief(field: Field<'_>, findings: &mut Vec<Diagnostic>) -> Option<ReliefEntr
     Some(ReliefEntry { height: height?, uv: uv?, depth: depth? })
 }
 
-/// What the author wants to keep although a lint rule finds it: the names of the nodes, checked for shape.
-fn allow(field: Field<'_>, findings: &mut Vec<Diagnostic>) -> Vec<Named> {
-    let mut nodes = Vec::new();
-    for field in field.map(findings) {
-        nodes.push(Named::new(field.name, field.name_span));
-        let Some(mut fields) = Fields::open(field.raw, "an exception", findings) else { continue };
-        fields.need("rule", findings).and_then(|field| field.text(findings));
-        if let Some(reason) = fields.need("reason", findings)
-            && reason.text(findings).is_some_and(|text| text.trim().is_empty())
-        {
-            findings.push(
-                Diagnostic::error(codes::MISSING_FIELD, reason.raw.span(), "an exception has an empty `reason`")
-                    .help("say why the rule does not hold here: the next reader will want to know"),
-            );
-        }
-        fields.close(findings);
+/// What the author wants to keep although a lint rule finds it.
+fn allow(field: Field<'_>, findings: &mut Vec<Diagnostic>) -> Vec<AllowEntry> {
+    let fields = field.map(findings);
+    let entry = |field: Field<'_>| {
+        let node = Named::new(field.name, field.name_span);
+        AllowEntry { node, value: exception(field, findings) }
+    };
+    fields.into_iter().map(entry).collect()
+}
+
+fn exception(field: Field<'_>, findings: &mut Vec<Diagnostic>) -> Option<(String, String)> {
+    let mut fields = Fields::open(field.raw, "an exception", findings)?;
+    let help = "write the name of the rule that finds the node";
+    let rule = fields.need("rule", findings).and_then(|field| filled(field, help, findings));
+    let help = "say why the rule does not hold here: the next reader will want to know";
+    let reason = fields.need("reason", findings).and_then(|field| filled(field, help, findings));
+    fields.close(findings);
+    rule.zip(reason)
+}
+
+/// A text that says something.
+fn filled(field: Field<'_>, help: &str, findings: &mut Vec<Diagnostic>) -> Option<String> {
+    let text = field.text(findings)?;
+    if text.trim().is_empty() {
+        let message = format!("an exception has an empty `{}`", field.name);
+        findings.push(Diagnostic::error(codes::MISSING_FIELD, field.raw.span(), message).help(help));
+        return None;
     }
-    nodes
+    Some(text)
+}
+
+/// A field that asks for what no tracer does yet.
+pub(crate) fn flat(field: Span) -> Diagnostic {
+    let message = "relief is not traced yet: the surface is drawn flat";
+    Diagnostic::warning(codes::RELIEF_NOT_TRACED, field, message)
 }
 
 /// An output that does not exist.

@@ -14,7 +14,7 @@ mod texture;
 
 pub(crate) use decode::{decode, role_of};
 pub(crate) use expr::{Expr, Value};
-pub(crate) use graph::{GraphFile, NodeEntry, ReliefEntry, unknown_output};
+pub(crate) use graph::{AllowEntry, GraphFile, NodeEntry, ReliefEntry, flat, unknown_output};
 pub(crate) use port::{PortEntry, PortKind};
 pub(crate) use project::{MadeEntry, ProjectFile};
 pub(crate) use scene::SceneFile;

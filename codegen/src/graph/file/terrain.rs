@@ -1,8 +1,8 @@
 //! Terrains as they are written.
 
-use super::Named;
 use super::call::call;
 use super::expr::{self, Expr};
+use super::{Named, flat};
 use crate::diagnostic::{Diagnostic, Span};
 use crate::graph::model::{Blend, ReliefMethod, ReliefShadow, ReliefTrace, ReliefWeights, Shadow};
 use crate::graph::syntax::{Field, Fields, Shape};
@@ -151,7 +151,9 @@ fn relief(field: Field<'_>, findings: &mut Vec<Diagnostic>) -> Option<ReliefTrac
     let weights = fields.take("weights").map_or(Some(ReliefWeights::Entry), |field| field.choice(&choices, findings));
     let fade = fields.need("fade", findings).and_then(|field| field.range(0.0, 100_000.0, findings));
     fields.close(findings);
-    Some(ReliefTrace { method: method?, weights: weights?, fade: fade? })
+    let trace = ReliefTrace { method: method?, weights: weights?, fade: fade? };
+    findings.push(flat(field.name_span));
+    Some(trace)
 }
 
 fn method(field: Field<'_>, findings: &mut Vec<Diagnostic>) -> Option<ReliefMethod> {
@@ -172,7 +174,11 @@ fn shadow(field: Field<'_>, findings: &mut Vec<Diagnostic>) -> (Shadow, ReliefSh
     let choices = [("off", Shadow::Off), ("horizon", Shadow::Horizon)];
     let terrain = fields.take("terrain").and_then(|field| field.choice(&choices, findings));
     let choices = [("off", ReliefShadow::Off), ("hard", ReliefShadow::Hard), ("cone", ReliefShadow::Cone)];
-    let relief = fields.take("relief").and_then(|field| field.choice(&choices, findings));
+    let relief = fields.take("relief").and_then(|field| {
+        let choice = field.choice(&choices, findings);
+        findings.extend(choice.filter(|choice| *choice != ReliefShadow::Off).map(|_| flat(field.name_span)));
+        choice
+    });
     fields.close(findings);
     (terrain.unwrap_or(Shadow::Horizon), relief.unwrap_or(ReliefShadow::Off))
 }

@@ -53,6 +53,19 @@ pub struct Graph {
     pub outputs: BTreeMap<String, Output>,
     /// Surfaces only.
     pub relief: Option<Relief>,
+    /// What a lint rule is not to find, by the name of the node.
+    pub allow: BTreeMap<String, Allowed>,
+}
+
+/// An exception from a lint rule.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Allowed {
+    /// Name of the rule; whether it exists is the linter's business.
+    pub rule: String,
+    /// Why it does not hold here; never empty.
+    pub reason: String,
+    /// The node's name in the exception.
+    pub span: Span,
 }
 
 /// The outputs of a surface: name, number of components, default where one exists.

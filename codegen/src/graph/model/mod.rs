@@ -10,7 +10,7 @@ mod terrain;
 mod texture;
 
 pub use frame::FrameField;
-pub use graph::{Graph, GraphId, Graphs, Output, Role, SURFACE_OUTPUTS};
+pub use graph::{Allowed, Graph, GraphId, Graphs, Output, Role, SURFACE_OUTPUTS};
 pub use interface::{InstanceInput, Parameter};
 pub use node::{Access, Callee, Input, InputValue, Node};
 pub use relief::{Relief, ReliefMethod, ReliefShadow, ReliefTrace, ReliefWeights};

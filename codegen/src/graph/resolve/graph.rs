@@ -1,7 +1,8 @@
 //! One surface, instance or mask.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
+use super::allow;
 use super::call::{Callable, Caller};
 use super::images::Images;
 use super::order::{Order, order};
@@ -52,7 +53,7 @@ pub(super) fn graph(
     let nodes = nodes(world, &mut scope, &images, file, &order, instances, &mut found);
     let outputs = output::outputs(world.library, &scope, file, &mut found);
     let relief = file.relief.as_ref().map(|entry| output::relief(world.library, &scope, &textures, entry, &mut found));
-    allowed(file, &mut found);
+    let allow = allow::allow(file, &mut found);
     let decoded = findings.iter().all(|finding| finding.span().source != document.source);
     let complete = decoded && !any_error(&found) && nodes.len() == file.nodes.len() && !matches!(relief, Some(None));
     let graph = Graph {
@@ -67,6 +68,7 @@ pub(super) fn graph(
         nodes,
         outputs,
         relief: relief.flatten(),
+        allow,
     };
     if complete {
         unused(&graph, &scope, &file.textures, &mut found);
@@ -138,19 +140,6 @@ fn callable<'a>(
             });
             findings.push(finding);
             None
-        }
-    }
-}
-
-/// An exception for a node that does not exist is an exception for nothing.
-fn allowed(file: &GraphFile, findings: &mut Vec<Diagnostic>) {
-    let names: BTreeSet<&str> = file.nodes.iter().map(|node| node.name.name.as_str()).collect();
-    for allowed in &file.allow {
-        if !names.contains(allowed.name.as_str()) {
-            let message = format!("an exception for `{}`, which is no node", allowed.name);
-            let mut finding = Diagnostic::error(codes::UNKNOWN_NAME, allowed.span, message);
-            finding.help = suggest::help(&allowed.name, names.iter().copied());
-            findings.push(finding);
         }
     }
 }

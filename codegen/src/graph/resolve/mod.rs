@@ -1,6 +1,7 @@
 //! From files to the model: every name bound, every input typed, every fault found.
 
 mod access;
+mod allow;
 mod call;
 mod channel;
 mod fault;

@@ -7,7 +7,7 @@ use super::scope::{Scope, Target};
 use super::texture::Declared;
 use super::wire::Operand;
 use crate::diagnostic::{Diagnostic, Span};
-use crate::graph::file::{Entry, Expr, FileRole, GraphFile, ReliefEntry, Value, unknown_output};
+use crate::graph::file::{Entry, Expr, FileRole, GraphFile, ReliefEntry, Value, flat, unknown_output};
 use crate::graph::model::{ColorSpace, Output, Relief, SURFACE_OUTPUTS};
 use crate::graph::syntax::within;
 use crate::graph::{codes, names};
@@ -133,7 +133,9 @@ pub(super) fn relief(
         None
     };
     let depth = within("depth", &value.depth, 0.0001, DEEPEST, findings);
-    Some(Relief { texture: texture?, uv: uv?, depth: depth?, span: entry.span })
+    let relief = Relief { texture: texture?, uv: uv?, depth: depth?, span: entry.span };
+    findings.push(flat(entry.name.span).help("its height still takes part in blends by height"));
+    Some(relief)
 }
 
 /// A relief's height: one number per texel, because its pyramid is built from the image.
