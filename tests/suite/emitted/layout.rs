@@ -8,7 +8,7 @@ use terrane_codegen::manifest::Manifest;
 const DRAWING: u32 = 1 | 2;
 
 /// Arrays of `GPUBindGroupLayoutEntry`: group 0 belongs to the host, group 1 to the material.
-pub(super) fn groups(module: &naga::Module, manifest: &Manifest) -> Value {
+pub(crate) fn groups(module: &naga::Module, manifest: &Manifest) -> Value {
     json!([host(module), material(manifest)])
 }
 
