@@ -1,4 +1,4 @@
-//! Emitted WGSL and manifest of a small terrain, reviewed like code.
+//! Emitted WGSL and manifests of a small terrain and of a large one, reviewed like code.
 
 use std::fs;
 
@@ -7,18 +7,27 @@ use crate::scratch::Scratch;
 
 #[test]
 fn the_dunes_core_and_manifest() {
-    let scratch = Scratch::of("examples/build_script");
-    scratch.terrane(&["build", "graphs/terrains/dunes.ron", "-o", "out", "--no-textures"]);
-    let mut manifest: serde_json::Value =
-        serde_json::from_str(&fs::read_to_string(scratch.path("out/dunes.json")).unwrap()).unwrap();
+    core_and_manifest("examples/build_script", "dunes");
+}
+
+#[test]
+fn the_alpine_core_and_manifest() {
+    core_and_manifest(".", "alpine");
+}
+
+#[track_caller]
+fn core_and_manifest(project: &str, terrain: &str) {
+    let scratch = Scratch::of(project);
+    scratch.terrane(&["build", &format!("graphs/terrains/{terrain}.ron"), "-o", "out", "--no-textures"]);
+    let path = |ending: &str| scratch.path(&format!("out/{terrain}{ending}"));
+    let read = |ending: &str| fs::read_to_string(path(ending)).expect("terrane wrote it");
+    let mut manifest: serde_json::Value = serde_json::from_str(&read(".json")).expect("a manifest is JSON");
     // The host shader is the renderer's, and has tests of its own: its hash would change with every work on light.
     manifest["permutations"][0]["host"]["sha256"] = "…".into();
-    let manifest = serde_json::to_string_pretty(&manifest).unwrap() + "\n";
-    let core = fs::read_to_string(scratch.path("out/dunes.core.wgsl")).unwrap();
-    let findings: Vec<String> = [compare("dunes.core.wgsl", &core), compare("dunes.json", &manifest)]
-        .into_iter()
-        .filter_map(Result::err)
-        .collect();
+    let manifest = serde_json::to_string_pretty(&manifest).expect("JSON") + "\n";
+    let texts = [(".core.wgsl", read(".core.wgsl")), (".json", manifest)];
+    let found = texts.iter().map(|(ending, text)| compare(&format!("{terrain}{ending}"), text));
+    let findings: Vec<String> = found.filter_map(Result::err).collect();
     assert!(findings.is_empty(), "{}", findings.join("\n"));
 }
 

@@ -2,6 +2,7 @@
 //! automatic layout, and with the one that the manifest describes.
 
 pub(crate) mod layout;
+mod shared;
 
 use std::path::Path;
 
