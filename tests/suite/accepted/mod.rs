@@ -3,6 +3,7 @@
 
 mod flip;
 mod pictures;
+mod schema;
 mod texts;
 
 use std::env;

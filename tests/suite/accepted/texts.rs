@@ -1,6 +1,7 @@
 //! Emitted WGSL and manifests of a small terrain and of a large one, reviewed like code.
 
 use std::fs;
+use std::path::Path;
 
 use crate::accepted::{HOW, accepted, blessing};
 use crate::scratch::Scratch;
@@ -26,18 +27,20 @@ fn core_and_manifest(project: &str, terrain: &str) {
     manifest["permutations"][0]["host"]["sha256"] = "…".into();
     let manifest = serde_json::to_string_pretty(&manifest).expect("JSON") + "\n";
     let texts = [(".core.wgsl", read(".core.wgsl")), (".json", manifest)];
-    let found = texts.iter().map(|(ending, text)| compare(&format!("{terrain}{ending}"), text));
+    let found =
+        texts.iter().map(|(ending, text)| compare(&accepted("snapshots").join(format!("{terrain}{ending}")), text));
     let findings: Vec<String> = found.filter_map(Result::err).collect();
     assert!(findings.is_empty(), "{}", findings.join("\n"));
 }
 
-fn compare(name: &str, found: &str) -> Result<(), String> {
-    let path = accepted("snapshots").join(name);
+/// Compares with an accepted file, or accepts.
+pub(super) fn compare(path: &Path, found: &str) -> Result<(), String> {
+    let name = path.file_name().expect("a file").to_string_lossy();
     if blessing() {
-        fs::write(&path, found).expect("the snapshot can be written");
+        fs::write(path, found).expect("the snapshot can be written");
         return Ok(());
     }
-    let known = fs::read_to_string(&path).unwrap_or_default();
+    let known = fs::read_to_string(path).unwrap_or_default();
     match known.lines().zip(found.lines()).position(|(known, found)| known != found) {
         None if known == found => Ok(()),
         None => Err(format!("{name}: {} lines instead of {}; {HOW}", found.lines().count(), known.lines().count())),
