@@ -30,14 +30,31 @@ impl Scratch {
     /// # Panics
     /// If the command fails.
     pub(crate) fn terrane(&self, arguments: &[&str]) {
-        let output = self.run(arguments);
+        Self::succeed(&self.run(arguments), arguments);
+    }
+
+    /// Runs `terrane` in it, with variables of the environment.
+    ///
+    /// # Panics
+    /// If the command fails.
+    pub(crate) fn terrane_with(&self, variables: &[(&str, &str)], arguments: &[&str]) {
+        let output = self.command(arguments).envs(variables.iter().copied()).output().expect("it can be started");
+        Self::succeed(&output, arguments);
+    }
+
+    fn succeed(output: &Output, arguments: &[&str]) {
         assert!(output.status.success(), "{arguments:?}: {}", String::from_utf8_lossy(&output.stderr));
     }
 
     /// Runs `terrane` in it, whatever comes of it.
     pub(crate) fn run(&self, arguments: &[&str]) -> Output {
+        self.command(arguments).output().expect("it can be started")
+    }
+
+    fn command(&self, arguments: &[&str]) -> Command {
         let mut terrane = Command::new(env!("CARGO_BIN_EXE_terrane"));
-        terrane.args(arguments).current_dir(self.0.path()).output().expect("it can be started")
+        terrane.args(arguments).current_dir(self.0.path());
+        terrane
     }
 }
 

@@ -1,6 +1,7 @@
 //! Tint judges everything that is emitted for the projects in this repository, and creates its pipelines: with the
 //! automatic layout, and with the one that the manifest describes.
 
+mod determinism;
 pub(crate) mod layout;
 mod shared;
 
