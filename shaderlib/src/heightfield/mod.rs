@@ -4,5 +4,6 @@
 //! direction`; its direction need not have length 1.
 
 mod heights;
+pub mod pyramid;
 
 pub use heights::{Border, Heights, HeightsError, LARGEST_SIDE, Texels};
