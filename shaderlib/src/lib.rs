@@ -3,6 +3,7 @@
 //! A file's stem is the node's name in a graph, its folder is the category, and the signature of its function is the
 //! only declaration of the node's ports. `terrane-codegen` reads the files; any engine can read them as they are.
 
+pub mod heightfield;
 pub mod hosts;
 
 /// One WGSL file of the library.

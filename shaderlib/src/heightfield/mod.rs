@@ -1,0 +1,9 @@
+//! Height fields: the surface, the data that makes rays through it fast, and the exact reference.
+//!
+//! Positions count in texels from the centre of the first texel, heights in steps of the map. A ray is `origin + t
+//! direction`; its direction need not have length 1.
+
+mod heights;
+pub mod pyramid;
+
+pub use heights::{Border, Heights, HeightsError, LARGEST_SIDE, Texels};

@@ -1,0 +1,55 @@
+//! One level of a pyramid.
+
+use std::ops::Range;
+
+/// A grid of values, row by row.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Level<T> {
+    /// Columns and rows.
+    pub size: [u32; 2],
+    /// Row after row.
+    pub values: Vec<T>,
+}
+
+/// Columns and rows of a level.
+pub(super) type Region = [Range<u32>; 2];
+
+impl<T: Copy> Level<T> {
+    /// A level of one value.
+    pub(super) fn filled(size: [u32; 2], value: T) -> Self {
+        Self { size, values: vec![value; size[0] as usize * size[1] as usize] }
+    }
+
+    /// The value at a column and row.
+    ///
+    /// # Panics
+    /// If there is none.
+    #[must_use]
+    pub fn at(&self, x: u32, y: u32) -> T {
+        self.row(y)[x as usize]
+    }
+
+    /// The values of a row.
+    pub(super) fn row(&self, y: u32) -> &[T] {
+        let width = self.size[0] as usize;
+        &self.values[y as usize * width..][..width]
+    }
+
+    /// All of it.
+    pub(super) fn whole(&self) -> Region {
+        self.size.map(|side| 0..side)
+    }
+}
+
+/// The regions of cells that touch a rectangle of texels, `first..end` on each axis: one more to the left and above, which
+/// a wrapped map has at the far end.
+pub(super) fn touched(texels: Region, cells: [u32; 2], wrap: bool) -> Vec<Region> {
+    let [columns, rows] = [0, 1].map(|axis| {
+        let (first, end) = (texels[axis].start, texels[axis].end.min(cells[axis]));
+        let near = first.saturating_sub(1).min(cells[axis] - 1)..end.max(1);
+        let far = (first == 0 && wrap).then(|| cells[axis] - 1..cells[axis]);
+        [Some(near), far].into_iter().flatten().collect::<Vec<_>>()
+    });
+    let pairs = columns.iter().flat_map(|x| rows.iter().map(move |y| [x.clone(), y.clone()]));
+    pairs.collect()
+}
