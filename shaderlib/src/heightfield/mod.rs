@@ -3,6 +3,10 @@
 //! Positions count in texels from the centre of the first texel, heights in steps of the map. A ray is `origin + t
 //! direction`; its direction need not have length 1.
 
+mod exact;
 mod heights;
+mod ray;
 
+pub use exact::{first_hit, visible};
 pub use heights::{Border, Heights, HeightsError, LARGEST_SIDE, Texels};
+pub use ray::{FixedRay, Hit, Ray};
