@@ -5,6 +5,7 @@
 
 mod exact;
 mod heights;
+pub mod oracle;
 mod ray;
 
 pub use exact::{first_hit, visible};
