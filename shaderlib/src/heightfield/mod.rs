@@ -3,6 +3,7 @@
 //! Positions count in texels from the centre of the first texel, heights in steps of the map. A ray is `origin + t
 //! direction`; its direction need not have length 1.
 
+pub mod adversary;
 mod exact;
 mod heights;
 pub mod oracle;
