@@ -68,6 +68,20 @@ mod tests {
     }
 
     #[test]
+    fn a_change_of_sign_is_never_lost_to_rounding() {
+        // The root rounds to the next number after the end, where the line is 0 to the last bit.
+        let (constant, end) = (0.1 * 3.0, 0.047_619_047_619_047_62);
+        assert!(constant / 6.3 > end && constant - 6.3 * end == 0.0);
+        assert_eq!(first(constant, -6.3, 0.0, end), Some(end));
+    }
+
+    #[test]
+    fn roots_that_are_close_are_told_apart() {
+        let near = 2_f64.powi(-27);
+        assert_eq!(first(1.0 + 2.0 * near, -2.0 * (1.0 + near), 1.0, 9.0), Some(1.0), "the other is 1 + 2 near");
+    }
+
+    #[test]
     fn finds_nothing_where_nothing_is() {
         assert_eq!(first(2.0, -3.0, 1.0, 0.5), None);
         assert_eq!(first(5.0, -4.0, 1.0, 9.0), None, "passes above");

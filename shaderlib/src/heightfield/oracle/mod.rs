@@ -50,8 +50,8 @@ impl<'a> Oracle<'a> {
 
     /// The unwrapped cell in which the ray first is on the surface or below it.
     ///
-    /// The walk begins in the cell to the right of and below the origin, and a point on a border is in the cell that the
-    /// ray comes from; at a corner the walk goes along x first.
+    /// The walk begins in the cell to the right of and below the origin; later a point on a border is in the cell that
+    /// the ray comes from.
     #[must_use]
     pub fn first_cell(&self) -> Option<[i64; 2]> {
         self.first_cell_until(self.end)
