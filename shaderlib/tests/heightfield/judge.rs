@@ -24,7 +24,7 @@ pub(super) fn judge(map: &Heights, case: &Case, hit: Option<Hit>) -> Result<Verd
     let oracle = Oracle::new(map, case.fixed, end).map_err(|error| error.to_string())?;
     let sides = hit.map(|hit| sides(case, hit.t));
     if answers(&oracle, &oracle, sides, end) {
-        return hit.map_or(Ok(()), |hit| same_cell(&oracle, case, hit)).map(|()| Verdict::Exact);
+        return hit.map_or(Ok(()), |hit| same_cell(&oracle, hit)).map(|()| Verdict::Exact);
     }
     let [higher, lower] = [oracle.lifted(LIFT), oracle.lifted(-LIFT)];
     if answers(&higher, &lower, sides, end) {
@@ -56,8 +56,8 @@ fn fraction(t: f64, round: fn(f64) -> f64) -> Time {
 }
 
 /// The oracle's cell, or one beside it if the hit is on the border between them.
-fn same_cell(oracle: &Oracle, case: &Case, hit: Hit) -> Result<(), String> {
-    let cell = oracle.first_cell_until(sides(case, hit.t).1).ok_or("no cell")?;
+fn same_cell(oracle: &Oracle, hit: Hit) -> Result<(), String> {
+    let cell = oracle.first_cell().ok_or("no cell")?;
     let same = [0, 1].into_iter().all(|axis| match cell[axis] - hit.cell[axis] {
         0 => true,
         1 => hit.uv[axis] > 1.0 - 1e-6,

@@ -1,9 +1,10 @@
 use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
+use terrane_shaderlib::heightfield::Hit;
 use terrane_shaderlib::heightfield::oracle::{Oracle, Time};
 
-use super::cases::each;
+use super::cases::{each, each_large};
 use super::judge::{Verdict, judge};
 
 const RAYS_PER_AIM: usize = 100;
@@ -33,6 +34,18 @@ fn the_reference_agrees_with_the_oracle_on_everything_adversarial() {
             "{aim}: {rays} rays, {hits} hits, {touches} touches"
         );
     }
+}
+
+#[test]
+fn thousands_of_cells_add_no_error() {
+    let mut farthest = 0;
+    each_large(25, |map, aim, case, hit| {
+        let verdict = judge(map, &case, hit);
+        assert!(verdict.is_ok(), "{:?} {:?}, {aim:?}: {case:?}: {hit:?}; {verdict:?}", map.size(), map.border());
+        let way = |hit: Hit| (0..2).map(|axis| (hit.cell[axis] - (case.fixed.origin[axis] >> 8)).abs()).max();
+        farthest = farthest.max(hit.and_then(way).unwrap_or(0));
+    });
+    assert!(farthest > 500, "{farthest} cells");
 }
 
 #[test]
