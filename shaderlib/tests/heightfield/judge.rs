@@ -14,7 +14,7 @@ pub(super) const LIFT: i32 = 1 << 4;
 pub(super) enum Verdict {
     /// The ray hits there, and not before; or nowhere.
     Exact,
-    /// It almost touches something: a ray higher or lower by [`LIFT`] has this answer.
+    /// A ray higher or lower by [`LIFT`] has this answer: it almost touches something, or falls so fast that t lacks bits.
     Touch,
 }
 
