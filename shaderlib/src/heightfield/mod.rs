@@ -3,7 +3,13 @@
 //! Positions count in texels from the centre of the first texel, heights in steps of the map. A ray is `origin + t
 //! direction`; its direction need not have length 1.
 
+pub mod adversary;
+mod exact;
 mod heights;
+pub mod oracle;
 pub mod pyramid;
+mod ray;
 
+pub use exact::{first_hit, visible};
 pub use heights::{Border, Heights, HeightsError, LARGEST_SIDE, Texels};
+pub use ray::{FixedRay, Hit, Ray};

@@ -106,9 +106,7 @@ impl Pyramid {
 
 /// Columns and rows of every level over a finest one.
 fn sizes(finest: [u32; 2]) -> impl Iterator<Item = [u32; 2]> {
-    std::iter::successors(Some(finest), |size| {
-        (size[0] > 1 || size[1] > 1).then(|| size.map(|side| side.div_ceil(2)))
-    })
+    std::iter::successors(Some(finest), |size| (size[0] > 1 || size[1] > 1).then(|| size.map(|side| side.div_ceil(2))))
 }
 
 fn build<T: Copy + PartialOrd + Send + Sync>(heights: &Heights, values: &[T], bound: Bound) -> Vec<Level<T>> {
@@ -150,7 +148,8 @@ fn fill<T: Copy + PartialOrd + Send + Sync>(
         Bound::TexelMax => {
             let width = heights.size()[0] as usize;
             for y in region[1].clone() {
-                let columns = y as usize * width + region[0].start as usize..y as usize * width + region[0].end as usize;
+                let columns =
+                    y as usize * width + region[0].start as usize..y as usize * width + region[0].end as usize;
                 levels[0].values[columns.clone()].copy_from_slice(&values[columns]);
             }
             climb::<Max, T>(levels, region);

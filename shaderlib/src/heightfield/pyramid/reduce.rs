@@ -84,6 +84,10 @@ fn rows<T: Send>(into: &mut Level<T>, region: &Region, fill: impl Fn(u32, usize,
     let width = into.size[0] as usize;
     let part = &mut into.values[lines.start as usize * width..lines.end as usize * width];
     part.par_chunks_mut(width).with_min_len(ROWS).enumerate().for_each(|(index, row)| {
-        fill(lines.start + index as u32, columns.start as usize, &mut row[columns.start as usize..columns.end as usize]);
+        fill(
+            lines.start + index as u32,
+            columns.start as usize,
+            &mut row[columns.start as usize..columns.end as usize],
+        );
     });
 }
