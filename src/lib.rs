@@ -1,6 +1,7 @@
-//! Terrane: the makers of textures and the renderer.
+//! Terrane: the makers of textures, the renderer, and rays against relief.
 
 pub mod content;
 pub mod file;
+pub mod relief;
 pub mod render;
 pub mod scene;

@@ -41,8 +41,8 @@ pub struct Gpu {
     name: String,
     /// Whether a processor draws.
     software: bool,
-    pub(super) device: wgpu::Device,
-    pub(super) queue: wgpu::Queue,
+    pub(crate) device: wgpu::Device,
+    pub(crate) queue: wgpu::Queue,
     /// What the driver reported outside of any error scope.
     failure: Arc<Mutex<Option<String>>>,
 }
@@ -96,7 +96,7 @@ impl Gpu {
     }
 
     /// Creates something and returns what wgpu has against it.
-    pub(super) fn checked<T>(&self, what: &'static str, create: impl FnOnce() -> T) -> Result<T> {
+    pub(crate) fn checked<T>(&self, what: &'static str, create: impl FnOnce() -> T) -> Result<T> {
         let memory = self.device.push_error_scope(wgpu::ErrorFilter::OutOfMemory);
         let validation = self.device.push_error_scope(wgpu::ErrorFilter::Validation);
         let made = create();
@@ -108,7 +108,7 @@ impl Gpu {
     }
 
     /// Waits until everything that was submitted is done.
-    pub(super) fn wait(&self) -> Result<()> {
+    pub(crate) fn wait(&self) -> Result<()> {
         self.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|error| RenderError::Lost(error.to_string()))?;
         match self.failure.lock().ok().and_then(|mut failure| failure.take()) {
             None => Ok(()),

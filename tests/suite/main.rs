@@ -9,6 +9,7 @@ mod library;
 mod output;
 mod picture;
 mod random;
+mod relief;
 mod render;
 mod scratch;
 mod skip;
