@@ -2,6 +2,7 @@
 
 pub mod content;
 pub mod file;
+pub mod measure;
 pub mod relief;
 pub mod render;
 pub mod scene;

@@ -2,6 +2,7 @@
 
 mod build;
 mod check;
+mod measure;
 mod new;
 mod nodes;
 mod project;
@@ -29,6 +30,7 @@ Examples:
   terrane check                                          find what is wrong with every graph of the project
   terrane render graphs/scenes/alpine.ron -o alpine.png  draw a scene
   terrane build graphs/terrains/alpine.ron -o out        write the WGSL and its manifest
+  terrane measure --heightmap rock.png                   which relief method is fast enough, and how far off
   terrane nodes overlay                                  read about one node
 
 Exit codes: 0 done, 1 the graphs are wrong, 2 the command line is wrong, 3 the machine or Terrane failed.";
@@ -39,6 +41,7 @@ enum Command {
     Check(check::Check),
     Build(build::Build),
     Render(render::Render),
+    Measure(measure::Measure),
     Nodes(nodes::Nodes),
 }
 
@@ -55,6 +58,7 @@ impl Cli {
             Command::Check(command) => command.run(),
             Command::Build(command) => command.run(),
             Command::Render(command) => command.run(),
+            Command::Measure(command) => command.run(),
             Command::Nodes(command) => command.run(),
         };
         match result {

@@ -41,7 +41,7 @@ pub(crate) struct Render {
     adapters: bool,
 }
 
-fn size(text: &str) -> Result<[u32; 2], String> {
+pub(super) fn size(text: &str) -> Result<[u32; 2], String> {
     let (width, height) = text.split_once('x').ok_or("write width x height, as in 1280x720")?;
     let side = |text: &str| text.parse().ok().filter(|side| (1..=8192).contains(side));
     match (side(width), side(height)) {
@@ -117,7 +117,7 @@ fn list() -> Result<(), Failure> {
     Ok(())
 }
 
-fn failure(error: RenderError) -> Failure {
+pub(super) fn failure(error: RenderError) -> Failure {
     match error {
         RenderError::UnknownAdapter { .. } => Failure::Usage(error.to_string()),
         other => Failure::Machine(other.to_string()),

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 
 use terrane_codegen::graph::Made;
+use terrane_codegen::graph::recipe::Recipe;
 
 use super::map::Map;
 use super::{material, terrain};
@@ -15,6 +16,12 @@ impl Arguments {
     /// Those of an entry of `terrane.ron`, which resolution has checked.
     pub fn of(made: &Made) -> Self {
         Self(made.arguments.clone())
+    }
+
+    /// The defaults of a recipe, in a size and for a seed.
+    pub fn defaults(recipe: &Recipe, size: u32, seed: u32) -> Self {
+        let defaults = recipe.arguments.iter().map(|argument| (argument.name, argument.default));
+        Self(defaults.chain([("size", f64::from(size)), ("seed", f64::from(seed))]).collect())
     }
 
     /// A number.

@@ -2,7 +2,7 @@
 //!
 //! ```text
 //! Heights --Placed--> textures      the map and its quadtree, filled up to powers of two
-//! Ray     --Setup---> DeviceRay     cut to where the ground can be, in f32 from a whole cell
+//! Segment --Setup---> DeviceRay     cut to where the ground can be, in f32 from a whole cell
 //! Method  --Tracer--> Traced        WGSL of the library around one entry point
 //! ```
 
@@ -13,4 +13,5 @@ mod tracer;
 
 pub use method::Method;
 pub use placed::{Placed, Unplaceable};
-pub use tracer::{Outcome, Traced, Tracer};
+pub use setup::Segment;
+pub use tracer::{Outcome, Traced, Tracer, shader};

@@ -5,6 +5,15 @@ use std::cmp::Ordering;
 use bytemuck::{Pod, Zeroable};
 use terrane_shaderlib::heightfield::{Border, Heights, Ray};
 
+/// A ray, and the range of t in which it is looked at.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Segment {
+    /// The ray.
+    pub ray: Ray,
+    /// From and to.
+    pub range: (f64, f64),
+}
+
 /// `ReliefRay` of shaderlib/wgsl/relief/relief.wgsl in a storage buffer.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
@@ -52,8 +61,8 @@ const LONGEST: f64 = 65_536.0;
 impl Setup {
     /// The part of a ray inside the map's box and a range of t; `None` if there is none. `range` is lowest and highest
     /// height.
-    pub(super) fn new(heights: &Heights, [low, high]: [f64; 2], ray: &Ray, range: (f64, f64)) -> Option<Self> {
-        let (first, last) = domain(heights, ray, range)?;
+    pub(super) fn new(heights: &Heights, [low, high]: [f64; 2], Segment { ray, range }: &Segment) -> Option<Self> {
+        let (first, last) = domain(heights, ray, *range)?;
         let (at, along) = (ray.origin[2], ray.direction[2]);
         // A step more than the heights: rounding must not cut off what touches the highest or the lowest.
         let (lid, floor) = ((high + 1.0 - at) / along, (low - 1.0 - at) / along);

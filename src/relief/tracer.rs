@@ -5,12 +5,12 @@ use std::time::{Duration, Instant};
 use bytemuck::{Pod, Zeroable};
 use terrane_codegen::diagnostic::Sources;
 use terrane_codegen::library::Library;
-use terrane_shaderlib::heightfield::{Heights, Ray};
+use terrane_shaderlib::heightfield::Heights;
 use wgpu::util::{BufferInitDescriptor, DeviceExt as _, TextureDataOrder};
 
 use super::method::Method;
 use super::placed::Placed;
-use super::setup::{DeviceRay, Setup};
+use super::setup::{DeviceRay, Segment, Setup};
 use crate::render::{Gpu, RenderError};
 
 /// What became of a ray.
@@ -92,7 +92,7 @@ impl<'a> Tracer<'a> {
     ) -> Result<Self, RenderError> {
         let ([wrap_x, wrap_y], [last_x, last_y]) = (placed.wrap, placed.last);
         let field = [wrap_x, wrap_y, last_x, last_y, placed.bounds.len() as i32 - 1, limit as i32, 0, 0];
-        let pipeline = gpu.checked("relief's pipeline", || pipeline(gpu, &text(method)))?;
+        let pipeline = gpu.checked("relief's pipeline", || pipeline(gpu, &shader(method)))?;
         gpu.checked("relief's data", || Self {
             gpu,
             heights,
@@ -114,9 +114,9 @@ impl<'a> Tracer<'a> {
     ///
     /// # Errors
     /// [`RenderError::Lost`] where the device fails.
-    pub fn trace(&self, rays: &[(Ray, (f64, f64))]) -> Result<(Vec<Traced>, Duration), RenderError> {
-        let setup = |(ray, range): &(Ray, (f64, f64))| Setup::new(self.heights, self.range, ray, *range);
-        let setups: Vec<Option<Setup>> = rays.iter().map(setup).collect();
+    pub fn trace(&self, segments: &[Segment]) -> Result<(Vec<Traced>, Duration), RenderError> {
+        let setup = |segment| Setup::new(self.heights, self.range, segment);
+        let setups: Vec<Option<Setup>> = segments.iter().map(setup).collect();
         let sent: Vec<DeviceRay> = setups.iter().flatten().map(|setup| setup.ray).collect();
         let (hits, time) = if sent.is_empty() { (Vec::new(), Duration::ZERO) } else { self.run(&sent)? };
         let mut hits = hits.iter();
@@ -194,8 +194,9 @@ fn traced(setup: &Setup, hit: &DeviceHit) -> Traced {
     Traced { outcome, steps: hit.steps, leaves: hit.leaves }
 }
 
-/// The entry point and what it needs of the library.
-fn text(method: Method) -> String {
+/// WGSL that traces rays from a buffer by a method: an entry point, and what it needs of the library.
+#[must_use]
+pub fn shader(method: Method) -> String {
     let library =
         Library::load(&mut Sources::default(), &[]).expect("the shipped library is right, which its tests show");
     let host = HOST.replace("CALL", &method.call());

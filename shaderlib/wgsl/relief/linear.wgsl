@@ -39,15 +39,15 @@ fn linear_refined(
     heights: texture_2d<u32>,
     field: ReliefField,
     ray: ReliefRay,
-    between: vec2f,
+    bracket: vec2f,
     gaps: vec2f,
     halvings: u32,
 ) -> f32 {
     if halvings == 0u {
-        return between.x + (between.y - between.x) * saturate(gaps.x / max(gaps.x - gaps.y, 1e-6));
+        return bracket.x + (bracket.y - bracket.x) * saturate(gaps.x / max(gaps.x - gaps.y, 1e-6));
     }
-    var near = between.x;
-    var far = between.y;
+    var near = bracket.x;
+    var far = bracket.y;
     for (var halving = 0u; halving < halvings; halving++) {
         let middle = 0.5 * (near + far);
         let under = linear_gap(heights, field, ray, middle) <= 0.0;

@@ -9,8 +9,7 @@ fn maximum_mipmaps_trace(
     field: ReliefField,
     ray: ReliefRay,
 ) -> ReliefHit {
-    let away = abs(ray.direction.xy) >= vec2f(RELIEF_LEAST);
-    let direction = vec3f(select(vec2f(RELIEF_LEAST), ray.direction.xy, away), ray.direction.z);
+    let direction = maximum_mipmaps_direction(ray);
     let inverse = 1.0 / direction.xy;
     let ahead = select(vec2i(0), vec2i(1), direction.xy > vec2f(0.0));
     var level = field.top;
@@ -22,14 +21,11 @@ fn maximum_mipmaps_trace(
         let bound = relief_bound(bounds, field, node << shift, level) + RELIEF_PAD;
         let reach = (vec2f(((node + ahead) << shift) - ray.cell) - ray.origin.xy) * inverse;
         let leave = clamp(min(reach.x, reach.y), t, ray.end);
-        let lowest = ray.origin.z + direction.z * select(t, leave, direction.z < 0.0);
-        if lowest <= bound {
+        if ray.origin.z + direction.z * select(t, leave, direction.z < 0.0) <= bound {
             if level == 0i {
                 leaves++;
-                let at = ray.origin + direction * t;
-                let place = vec3f(at.xy - vec2f(node - ray.cell), at.z);
-                let corners = relief_corners(heights, field, node, vec2i(0));
-                let far = relief_patch(corners, place, direction, leave - t);
+                let place = ray.origin + direction * t - vec3f(vec2f(node - ray.cell), 0.0);
+                let far = relief_patch(relief_corners(heights, field, node, vec2i(0)), place, direction, leave - t);
                 if far < RELIEF_NEVER {
                     return ReliefHit(t + far, RELIEF_HIT, node, step, leaves);
                 }
@@ -38,9 +34,9 @@ fn maximum_mipmaps_trace(
                     t = clamp((bound - ray.origin.z) / direction.z, t, leave);
                 }
                 level--;
-                let middle = ((node << vec2u(1u)) + 1i) << vec2u(u32(level));
-                let past = vec2f(t) >= (vec2f(middle - ray.cell) - ray.origin.xy) * inverse;
-                node = (node << vec2u(1u)) + select(vec2i(0), vec2i(1), past == (ahead > vec2i(0)));
+                let middle = ((2i * node + 1i) << vec2u(u32(level))) - ray.cell;
+                let past = vec2f(t) >= (vec2f(middle) - ray.origin.xy) * inverse;
+                node = 2i * node + select(vec2i(0), vec2i(1), past == (ahead > vec2i(0)));
                 continue;
             }
         }
@@ -49,15 +45,17 @@ fn maximum_mipmaps_trace(
             return ReliefHit(ray.end, RELIEF_MISS, vec2i(0), step, leaves);
         }
         let left = node;
-        if reach.x < reach.y {
-            node.x += 2i * ahead.x - 1i;
-        } else {
-            node.y += 2i * ahead.y - 1i;
-        }
+        node += select(vec2i(0, 1), vec2i(1, 0), reach.x < reach.y) * (2i * ahead - 1i);
         if any(((left ^ node) >> vec2u(1u)) != vec2i(0)) && level < field.top {
             level++;
             node = node >> vec2u(1u);
         }
     }
     return ReliefHit(t, RELIEF_UNRESOLVED, vec2i(0), field.limit, leaves);
+}
+
+/// The ray's direction, with no component so small that its inverse overflows.
+fn maximum_mipmaps_direction(ray: ReliefRay) -> vec3f {
+    let away = abs(ray.direction.xy) >= vec2f(RELIEF_LEAST);
+    return vec3f(select(vec2f(RELIEF_LEAST), ray.direction.xy, away), ray.direction.z);
 }

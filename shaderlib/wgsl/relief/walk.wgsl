@@ -8,6 +8,50 @@
 //! sides of every branch.
 //! Source: Tevs, Ihrke and Seidel, "Maximum Mipmaps for Fast, Accurate, and Scalable Dynamic Height Field Rendering", I3D 2008; two loops after Aila and Laine, "Understanding the Efficiency of Ray Traversal on GPUs", HPG 2009.
 
+/// A ray in the frame in which it runs toward +x and +y.
+struct WalkFrame {
+    /// -1 for an axis that is mirrored, else 0: cell c of this frame is cell c ^ mirror of the map.
+    mirror: vec2i,
+    /// The cell that the ray starts in.
+    base: vec2i,
+    /// Where in it; z in steps.
+    origin: vec3f,
+    /// How far 1 of t leads; x and y are positive.
+    direction: vec3f,
+    /// t per texel.
+    inverse: vec2f,
+    /// t of the base cell's near sides.
+    before: vec2f,
+    /// t per step of height, for a ray that falls.
+    drop: f32,
+    /// Where the ray ends.
+    end: f32,
+}
+
+/// A node of the quadtree.
+struct WalkNode {
+    /// Its far sides, in texels from the base cell: whole numbers.
+    sides: vec2f,
+    /// Its side in texels.
+    size: f32,
+    /// log2 of that.
+    level: i32,
+}
+
+/// How far a walk has come.
+struct WalkState {
+    /// Where it is.
+    node: WalkNode,
+    /// Before this t there is no hit.
+    t: f32,
+    /// Where the ray leaves the node.
+    leave: f32,
+    /// Nodes visited.
+    steps: u32,
+    /// Whether the node is a cell whose patch may be hit.
+    stands: bool,
+}
+
 /// The first hit of a ray.
 fn walk_trace(
     heights: texture_2d<u32>,
@@ -15,89 +59,106 @@ fn walk_trace(
     field: ReliefField,
     ray: ReliefRay,
 ) -> ReliefHit {
-    let toward = ray.direction.xy < vec2f(0.0);
-    let mirror = select(vec2i(0), vec2i(-1), toward);
-    let direction = vec3f(max(abs(ray.direction.xy), vec2f(RELIEF_LEAST)), ray.direction.z);
-    let origin = vec3f(select(ray.origin.xy, 1.0 - ray.origin.xy, toward), ray.origin.z);
-    let base = ray.cell ^ mirror;
-    let inverse = 1.0 / direction.xy;
-    let before = -origin.xy * inverse;
-    let falls = direction.z < 0.0;
-    let drop = 1.0 / select(-1.0, direction.z, falls);
-
-    var level = walk_entry(field, ray.end);
-    var size = f32(1i << u32(level));
-    var sides = vec2f((((base >> vec2u(u32(level))) + 1i) << vec2u(u32(level))) - base);
-    var t = 0.0;
-    var leave = 0.0;
-    var steps = 0u;
+    let frame = walk_frame(ray);
+    var state = WalkState(walk_entry(frame, field), 0.0, 0.0, 0u, false);
     var leaves = 0u;
     loop {
-        var stands = false;
-        loop {
-            let last = base + vec2i(sides);
-            let bound = relief_bound(bounds, field, (last - 1i) ^ mirror, level) + RELIEF_PAD;
-            let reach = sides * inverse + before;
-            leave = max(min(reach.x, reach.y), t);
-            let lowest = origin.z + direction.z * select(t, leave, falls);
-            let clear = lowest > bound;
-            stands = !clear && level == 0i;
-            steps++;
-            if stands || steps >= field.limit {
-                break;
-            }
-            // Down: to where the ray meets the bound, into the child there.
-            let half = 0.5 * size;
-            let enter = select(t, clamp((bound - origin.z) * drop, t, leave), falls);
-            let middle = sides - half;
-            let child = select(sides, middle, vec2f(enter) < middle * inverse + before);
-            // On: over the nearer side, and up where that is a side of the parent too.
-            let along_x = reach.x <= reach.y;
-            let inner = (last & vec2i(1i << u32(level))) != vec2i(0);
-            let up = !select(inner.y, inner.x, along_x) && level < field.top;
-            let moved = sides + size * select(vec2f(0.0, 1.0), vec2f(1.0, 0.0), along_x);
-            let wider = size * select(vec2f(0.0), vec2f(1.0), inner != vec2<bool>(along_x, !along_x));
-            let next = select(moved, moved + wider, up);
-
-            t = select(enter, leave, clear);
-            sides = select(child, next, clear);
-            size = select(half, select(size, 2.0 * size, up), clear);
-            level += select(-1i, select(0i, 1i, up), clear);
-            // Not after a step down: what lies at the very end is still to be looked at.
-            if clear && t >= ray.end {
-                break;
-            }
-        }
-        if !stands {
-            let state = select(RELIEF_UNRESOLVED, RELIEF_MISS, t >= ray.end);
-            return ReliefHit(min(t, ray.end), state, vec2i(0), steps, leaves);
+        state = walk_to_cell(bounds, field, frame, state);
+        if !state.stands {
+            let outcome = select(RELIEF_UNRESOLVED, RELIEF_MISS, state.t >= frame.end);
+            return ReliefHit(min(state.t, frame.end), outcome, vec2i(0), state.steps, leaves);
         }
         leaves++;
-        let cell = vec2i(sides) - 1i;
-        let place = vec3f(origin.xy + direction.xy * t - (sides - 1.0), origin.z + direction.z * t);
-        let corners = relief_corners(heights, field, base + cell, mirror);
-        let far = relief_patch(corners, place, direction, leave - t);
-        if far < RELIEF_NEVER && t + far <= ray.end {
-            return ReliefHit(t + far, RELIEF_HIT, (base + cell) ^ mirror, steps, leaves);
+        let sides = state.node.sides;
+        let cell = frame.base + vec2i(sides) - 1i;
+        let at = frame.origin + frame.direction * state.t;
+        let corners = relief_corners(heights, field, cell, frame.mirror);
+        let place = vec3f(at.xy - (sides - 1.0), at.z);
+        let t = state.t + relief_patch(corners, place, frame.direction, state.leave - state.t);
+        if t <= frame.end {
+            return ReliefHit(t, RELIEF_HIT, cell ^ frame.mirror, state.steps, leaves);
         }
-        t = leave;
-        if t >= ray.end {
-            return ReliefHit(ray.end, RELIEF_MISS, vec2i(0), steps, leaves);
+        if state.leave >= frame.end {
+            return ReliefHit(frame.end, RELIEF_MISS, vec2i(0), state.steps, leaves);
         }
-        let reach = sides * inverse + before;
-        let along_x = reach.x <= reach.y;
-        let inner = ((base + vec2i(sides)) & vec2i(1i)) != vec2i(0);
-        let up = !select(inner.y, inner.x, along_x) && 0i < field.top;
-        let wider = select(vec2f(0.0), vec2f(1.0), inner != vec2<bool>(along_x, !along_x));
-        sides += select(vec2f(0.0, 1.0), vec2f(1.0, 0.0), along_x) + select(vec2f(0.0), wider, up);
-        size = select(1.0, 2.0, up);
-        level = select(0i, 1i, up);
+        state.node = walk_next(frame, field, state.node, sides * frame.inverse + frame.before);
+        state.t = state.leave;
     }
-    return ReliefHit(ray.end, RELIEF_UNRESOLVED, vec2i(0), steps, leaves);
+    return ReliefHit(frame.end, RELIEF_UNRESOLVED, vec2i(0), state.steps, leaves);
 }
 
-/// The level at which a search begins: nodes as large as the path is long.
-fn walk_entry(field: ReliefField, path: f32) -> i32 {
-    let texels = u32(clamp(path, 1.0, 65536.0));
-    return min(i32(firstLeadingBit(texels)) + 1i, field.top);
+/// Walks until it stands on a cell that may be hit, is past the end, or has seen too many nodes.
+fn walk_to_cell(bounds: texture_2d<u32>, field: ReliefField, frame: WalkFrame, start: WalkState) -> WalkState {
+    let falls = frame.direction.z < 0.0;
+    var state = start;
+    loop {
+        let node = state.node;
+        let cell = (frame.base + vec2i(node.sides) - 1i) ^ frame.mirror;
+        let bound = relief_bound(bounds, field, cell, node.level) + RELIEF_PAD;
+        let reach = node.sides * frame.inverse + frame.before;
+        state.leave = max(min(reach.x, reach.y), state.t);
+        let lowest = frame.origin.z + frame.direction.z * select(state.t, state.leave, falls);
+        let clear = lowest > bound;
+        state.steps++;
+        state.stands = !clear && node.level == 0i;
+        if state.stands || state.steps >= field.limit {
+            break;
+        }
+        // Both ways are worked out and one is taken: the lanes that run together need both anyway.
+        let meets = clamp((bound - frame.origin.z) * frame.drop, state.t, state.leave);
+        let enter = select(state.t, meets, falls);
+        let down = walk_child(frame, node, enter);
+        let on = walk_next(frame, field, node, reach);
+        state.node = WalkNode(
+            select(down.sides, on.sides, clear),
+            select(down.size, on.size, clear),
+            select(down.level, on.level, clear),
+        );
+        state.t = select(enter, state.leave, clear);
+        // Not after a step down: what lies at the very end is still to be looked at.
+        if clear && state.t >= frame.end {
+            break;
+        }
+    }
+    return state;
+}
+
+/// The node beyond the nearer side, or its parent where that side is one of the parent's.
+fn walk_next(frame: WalkFrame, field: ReliefField, node: WalkNode, reach: vec2f) -> WalkNode {
+    let along_x = reach.x <= reach.y;
+    let inner = ((frame.base + vec2i(node.sides)) & vec2i(1i << u32(node.level))) != vec2i(0);
+    let up = !select(inner.y, inner.x, along_x) && node.level < field.top;
+    let moved = node.sides + node.size * select(vec2f(0.0, 1.0), vec2f(1.0, 0.0), along_x);
+    let wider = node.size * select(vec2f(0.0), vec2f(1.0), inner != vec2<bool>(along_x, !along_x));
+    return WalkNode(
+        select(moved, moved + wider, up),
+        select(node.size, 2.0 * node.size, up),
+        node.level + select(0i, 1i, up),
+    );
+}
+
+/// The child that the ray is in at t.
+fn walk_child(frame: WalkFrame, node: WalkNode, t: f32) -> WalkNode {
+    let half = 0.5 * node.size;
+    let middle = node.sides - half;
+    let near = vec2f(t) < middle * frame.inverse + frame.before;
+    return WalkNode(select(node.sides, middle, near), half, node.level - 1i);
+}
+
+/// The node around the base cell that is as large as the path is long.
+fn walk_entry(frame: WalkFrame, field: ReliefField) -> WalkNode {
+    let texels = u32(clamp(frame.end, 1.0, 65536.0));
+    let level = min(i32(firstLeadingBit(texels)) + 1i, field.top);
+    let shift = vec2u(u32(level));
+    return WalkNode(vec2f((((frame.base >> shift) + 1i) << shift) - frame.base), f32(1i << u32(level)), level);
+}
+
+fn walk_frame(ray: ReliefRay) -> WalkFrame {
+    let backward = ray.direction.xy < vec2f(0.0);
+    let mirror = select(vec2i(0), vec2i(-1), backward);
+    let direction = vec3f(max(abs(ray.direction.xy), vec2f(RELIEF_LEAST)), ray.direction.z);
+    let origin = vec3f(select(ray.origin.xy, 1.0 - ray.origin.xy, backward), ray.origin.z);
+    let inverse = 1.0 / direction.xy;
+    let drop = 1.0 / select(-1.0, direction.z, direction.z < 0.0);
+    return WalkFrame(mirror, ray.cell ^ mirror, origin, direction, inverse, -origin.xy * inverse, drop, ray.end);
 }

@@ -1,11 +1,12 @@
 //! Exact relief methods on the device against the reference in f64.
 
-use terrane::relief::{Method, Outcome, Placed, Traced, Tracer};
+use terrane::relief::{Method, Outcome, Placed, Segment, Traced, Tracer, shader};
 use terrane::render::{Gpu, Selection};
 use terrane_shaderlib::heightfield::adversary::{AIMS, Case, Depth, LANDS, Random, Rays, SIZES, map};
 use terrane_shaderlib::heightfield::{Border, Heights, Ray, first_hit};
 
 use crate::skip::Skip;
+use crate::tint::{Module, Tint};
 
 /// Steps of height by which a hit may be off: 2^-16 of the depth of a 16-bit map.
 const STEP: f64 = 1.0;
@@ -25,11 +26,11 @@ fn raised(ray: &Ray, steps: f64) -> Ray {
 }
 
 /// What is wrong with an outcome: it must lie between the first hits of the ray a step lower and a step higher.
-fn fault(heights: &Heights, ray: &Ray, range: (f64, f64), traced: &Traced) -> Option<String> {
+fn fault(heights: &Heights, Segment { ray, range }: &Segment, traced: &Traced) -> Option<String> {
     let fastest = ray.direction[0].abs().max(ray.direction[1].abs()).max(ray.direction[2].abs() / 131_072.0);
     let slack = TEXELS / fastest.max(f64::MIN_POSITIVE);
-    let lowered = first_hit(heights, &raised(ray, -STEP), range);
-    let lifted = first_hit(heights, &raised(ray, STEP), range);
+    let lowered = first_hit(heights, &raised(ray, -STEP), *range);
+    let lifted = first_hit(heights, &raised(ray, STEP), *range);
     let text =
         |what: &str| Some(format!("{what}: {traced:?}, lower {lowered:?}, higher {lifted:?}, {ray:?} {range:?}"));
     match traced.outcome {
@@ -42,7 +43,7 @@ fn fault(heights: &Heights, ray: &Ray, range: (f64, f64), traced: &Traced) -> Op
 }
 
 /// Adversarial maps that a device takes, with their rays.
-fn lands(rays: usize, seed: u64) -> impl Iterator<Item = (Heights, Vec<(Ray, (f64, f64))>)> {
+fn lands(rays: usize, seed: u64) -> impl Iterator<Item = (Heights, Vec<Segment>)> {
     let mut random = Random::new(seed);
     let all = LANDS.iter().flat_map(|land| SIZES.iter().map(move |size| (*land, *size)));
     all.flat_map(|one| [(one, Border::Wrap), (one, Border::Clamp)]).filter_map(move |((land, size), border)| {
@@ -50,7 +51,7 @@ fn lands(rays: usize, seed: u64) -> impl Iterator<Item = (Heights, Vec<(Ray, (f6
         Placed::new(&heights).ok()?;
         let mut source = Rays::new(&heights, random.bits());
         let cases: Vec<Case> = (0..rays).map(|index| source.case(AIMS[index % AIMS.len()])).collect();
-        let sent = cases.iter().map(|case| (case.ray, (0.0, case.end as f64))).collect();
+        let sent = cases.iter().map(|case| Segment { ray: case.ray, range: (0.0, case.end as f64) }).collect();
         Some((heights, sent))
     })
 }
@@ -63,8 +64,7 @@ fn judge(method: Method, rays: usize, seed: u64) -> Option<(usize, Vec<String>)>
         let tracer = Tracer::new(&gpu, &heights, &placed, method, LIMIT).expect("the device takes it");
         let (traced, _) = tracer.trace(&sent).expect("the device answers");
         count += sent.len();
-        faults
-            .extend(sent.iter().zip(&traced).filter_map(|((ray, range), traced)| fault(&heights, ray, *range, traced)));
+        faults.extend(sent.iter().zip(&traced).filter_map(|(segment, traced)| fault(&heights, segment, traced)));
     }
     Some((count, faults))
 }
@@ -91,4 +91,15 @@ fn maximum_mipmaps_are_exact() {
 fn linear_search_is_not_and_the_judge_sees_it() {
     let Some((count, faults)) = judge(Method::Linear(64, 0), 96, 1) else { return };
     assert!(faults.len() > count / 20, "{} of {count}", faults.len());
+}
+
+#[test]
+fn tint_accepts_every_method() {
+    let Ok(mut tint) = Tint::start().map_err(Skip::report) else { return };
+    let methods = [Method::Walk, Method::MaximumMipmaps, Method::Linear(32, 0), Method::Linear(32, 6)];
+    let modules = methods.map(|method| Module::with_pipelines(method.to_string(), shader(method)));
+    for report in tint.validate(&modules) {
+        assert!(report.errors().is_empty(), "{}: {}", report.name, report.errors());
+        assert!(!report.pipelines.is_empty(), "{}: no pipeline was tried", report.name);
+    }
 }

@@ -1,0 +1,94 @@
+//! The maps that are measured.
+
+use std::fmt;
+use std::path::Path;
+
+use terrane_codegen::graph::recipe::recipe;
+use terrane_shaderlib::heightfield::adversary::{Depth, Land, map};
+use terrane_shaderlib::heightfield::{Border, Heights, HeightsError, Texels};
+
+use crate::content;
+use crate::content::recipe::{Arguments, maker};
+
+/// A map and its name.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Subject {
+    /// For the report.
+    pub name: String,
+    /// The map.
+    pub heights: Heights,
+    /// Steps of height that make the whole depth.
+    pub full: f64,
+}
+
+/// Why a file is no map.
+#[derive(Debug)]
+pub enum SubjectError {
+    /// It cannot be opened or decoded.
+    Png(String),
+    /// It has colours, or fewer than 8 bits.
+    Kind(String),
+    /// Its size cannot be traced.
+    Heights(HeightsError),
+}
+
+impl fmt::Display for SubjectError {
+    fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Png(reason) => write!(to, "cannot be read: {reason}"),
+            Self::Kind(kind) => write!(to, "is {kind}; a height map is grey, with 8 or 16 bits"),
+            Self::Heights(error) => error.fmt(to),
+        }
+    }
+}
+
+impl std::error::Error for SubjectError {}
+
+/// A grey PNG of 8 or 16 bits.
+///
+/// # Errors
+/// Those of [`SubjectError`].
+pub fn read(path: &Path, border: Border) -> Result<Subject, SubjectError> {
+    let open = |error: &dyn fmt::Display| SubjectError::Png(error.to_string());
+    let file = std::fs::File::open(path).map_err(|error| open(&error))?;
+    let mut reader = png::Decoder::new(std::io::BufReader::new(file)).read_info().map_err(|error| open(&error))?;
+    let (color, depth) = reader.output_color_type();
+    let bits = match (color, depth) {
+        (png::ColorType::Grayscale, png::BitDepth::Eight) => 8,
+        (png::ColorType::Grayscale, png::BitDepth::Sixteen) => 16,
+        (color, depth) => return Err(SubjectError::Kind(format!("{color:?} with {} bits", depth as u8))),
+    };
+    let size = [reader.info().width, reader.info().height];
+    let length = reader.output_buffer_size().ok_or_else(|| SubjectError::Png("it is too large".into()))?;
+    let mut bytes = vec![0; length];
+    reader.next_frame(&mut bytes).map_err(|error| open(&error))?;
+    let texels = match bits {
+        8 => Texels::U8(bytes),
+        _ => Texels::U16(bytes.chunks_exact(2).map(|pair| u16::from_be_bytes([pair[0], pair[1]])).collect()),
+    };
+    let heights = Heights::new(size, border, texels).map_err(SubjectError::Heights)?;
+    let name = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
+    Ok(Subject { name, heights, full: if bits == 8 { 255.0 } else { 65535.0 } })
+}
+
+/// Maps that any machine makes, so many texels a side: two materials, and what is hard or easy about relief by itself.
+#[must_use]
+pub fn built_in(side: u32) -> Vec<Subject> {
+    let materials = ["cracked_rock", "pebbles"].into_iter().filter_map(|name| material(name, side));
+    let lands = [Land::Hills, Land::Cracks, Land::Walls, Land::Needles, Land::Noise];
+    materials.chain(lands.into_iter().filter_map(|land| artificial(land, side))).collect()
+}
+
+fn material(name: &str, side: u32) -> Option<Subject> {
+    let arguments = Arguments::defaults(recipe(name)?, side, 1);
+    let content::map::Texels::Grey16(texels) = (maker(name).make)(&arguments).swap_remove(0).texels else {
+        return None;
+    };
+    let heights = Heights::new([side; 2], Border::Wrap, Texels::U16(texels)).ok()?;
+    Some(Subject { name: name.into(), heights, full: 65535.0 })
+}
+
+fn artificial(land: Land, side: u32) -> Option<Subject> {
+    let heights = map(land, [side; 2], Border::Wrap, Depth::Sixteen, 1).ok()?;
+    Some(Subject { name: format!("{land:?}").to_lowercase(), heights, full: 65535.0 })
+}
