@@ -65,8 +65,7 @@ fn walk_trace(
     loop {
         state = walk_to_cell(bounds, field, frame, state);
         if !state.stands {
-            let outcome = select(RELIEF_UNRESOLVED, RELIEF_MISS, state.t >= frame.end);
-            return ReliefHit(min(state.t, frame.end), outcome, vec2i(0), state.steps, leaves);
+            break;
         }
         leaves++;
         let sides = state.node.sides;
@@ -78,13 +77,14 @@ fn walk_trace(
         if t <= frame.end {
             return ReliefHit(t, RELIEF_HIT, cell ^ frame.mirror, state.steps, leaves);
         }
-        if state.leave >= frame.end {
-            return ReliefHit(frame.end, RELIEF_MISS, vec2i(0), state.steps, leaves);
+        state.t = state.leave;
+        if state.t >= frame.end {
+            break;
         }
         state.node = walk_next(frame, field, state.node, sides * frame.inverse + frame.before);
-        state.t = state.leave;
     }
-    return ReliefHit(frame.end, RELIEF_UNRESOLVED, vec2i(0), state.steps, leaves);
+    let outcome = select(RELIEF_UNRESOLVED, RELIEF_MISS, state.t >= frame.end);
+    return ReliefHit(min(state.t, frame.end), outcome, vec2i(0), state.steps, leaves);
 }
 
 /// Walks until it stands on a cell that may be hit, is past the end, or has seen too many nodes.

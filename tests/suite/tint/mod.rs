@@ -116,14 +116,25 @@ impl Tint {
         let mut line = serde_json::to_string(module).expect("strings and JSON values");
         line.push('\n');
         let sent = self.requests.write_all(line.as_bytes());
-        let mut answer = String::new();
-        let length = sent.and_then(|()| self.reports.read_line(&mut answer));
-        assert!(
-            length.is_ok_and(|length| length > 0),
-            "Tint broke down on `{}`; what it said stands above",
-            module.name
-        );
+        assert!(sent.is_ok(), "Tint broke down before `{}`; what it said stands above", module.name);
+        let (said, answer) = self.answer(module);
+        assert!(said.is_empty(), "Tint warns about `{}`: {said}", module.name);
         serde_json::from_str(&answer).unwrap_or_else(|error| panic!("Tint on `{}`: {error}: {answer}", module.name))
+    }
+
+    /// What Tint itself prints, which it does for warnings alone, and the line of the report behind it.
+    fn answer(&mut self, module: &Module) -> (String, String) {
+        let mut said = String::new();
+        loop {
+            let mut line = String::new();
+            let length = self.reports.read_line(&mut line);
+            let alive = length.is_ok_and(|length| length > 0);
+            assert!(alive, "Tint broke down on `{}`; what it said stands above\n{said}", module.name);
+            if line.starts_with('{') {
+                return (said, line);
+            }
+            said.push_str(&line);
+        }
     }
 }
 
