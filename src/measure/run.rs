@@ -55,7 +55,7 @@ pub fn measure(gpu: &Gpu, subject: &Subject, plan: &Plan, progress: Progress) ->
     let placed = Placed::new(&subject.heights).map_err(|error| RenderError::Scene(error.to_string()))?;
     let tracers = plan.methods.iter().map(|method| Tracer::new(gpu, &subject.heights, &placed, *method, plan.limit));
     let tracers = tracers.collect::<Result<Vec<_>, _>>()?;
-    let phase = progress.phase("measuring", (plan.elevations.len() * (plan.rounds + 1)) as u64);
+    let phase = progress.phase("measuring", (plan.elevations.len() * (plan.rounds.max(1) + 2)) as u64);
     let mut rows = Vec::new();
     for &elevation in &plan.elevations {
         let view = View { elevation, depth: plan.depth, size: plan.size };
@@ -64,10 +64,13 @@ pub fn measure(gpu: &Gpu, subject: &Subject, plan: &Plan, progress: Progress) ->
         phase.advance(1);
         let mut times = vec![Vec::new(); tracers.len()];
         let mut traced = vec![Vec::new(); tracers.len()];
-        for _ in 0..plan.rounds.max(1) {
+        for round in 0..=plan.rounds.max(1) {
             for (index, tracer) in tracers.iter().enumerate() {
                 let (found, time) = tracer.trace(&rays)?;
-                times[index].push(time.as_secs_f64() * 1e9 / rays.len() as f64);
+                // A driver may compile in the first round.
+                if round > 0 {
+                    times[index].push(time.as_secs_f64() * 1e9 / rays.len() as f64);
+                }
                 traced[index] = found;
             }
             phase.advance(1);
