@@ -24,7 +24,7 @@ fn made(path: &str, recipe: &'static Recipe, size: usize, seed: u32) -> Made {
 }
 
 fn maps(recipe: &'static Recipe, size: usize, seed: u32) -> Vec<Map> {
-    (maker(recipe.name).make)(&Arguments::of(&made("test", recipe, size, seed)))
+    (maker(recipe.name).make)(&Arguments::defaults(recipe, size as u32, seed))
 }
 
 fn materials() -> impl Iterator<Item = &'static Recipe> {
@@ -209,7 +209,7 @@ fn normals_are_those_of_the_heights() {
         let Texels::Rgb8(bytes) = &maps[2].texels else { panic!("normals have three numbers") };
         let height = height(&maps);
         let at = |x: usize, y: usize| height[y % SIZE * SIZE + x % SIZE];
-        let depth = Arguments::of(&made("test", recipe, SIZE, 1)).get("depth") * SIZE as f32;
+        let depth = Arguments::defaults(recipe, SIZE as u32, 1).get("depth") * SIZE as f32;
         for (index, normal) in bytes.as_chunks::<3>().0.iter().enumerate() {
             let (x, y) = (index % SIZE + SIZE, index / SIZE + SIZE);
             let (du, dv) = (0.5 * depth * (at(x + 1, y) - at(x - 1, y)), 0.5 * depth * (at(x, y + 1) - at(x, y - 1)));

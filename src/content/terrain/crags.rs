@@ -24,7 +24,7 @@ pub fn carve(land: &mut Land, debris: &[f32], crags: &Crags) {
     let extent = land.cell * land.size as f32;
     let cells = ((extent / crags.apart) as u32).max(1);
     // Down to two cells of the map: finer is no shape.
-    let octaves = (crags.apart / (2.0 * land.cell)).max(1.0).log2() as u32 + 1;
+    let octaves = ((crags.apart / (2.0 * land.cell)) as u32).max(1).ilog2() + 1;
     let ribs = Noise::new(crags.seed, cells, octaves).gain(0.55);
     let steepness = land.steepness();
     let size = land.size;

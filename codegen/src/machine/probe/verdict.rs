@@ -7,10 +7,6 @@ use crate::machine::domain::accept::{Accept, Integers, Interval, Three};
 use crate::machine::domain::{Cell, F32};
 use crate::machine::{Component, Machine, MachineError, Value};
 
-/// Units in the last place by which a result may leave its interval: compilers may reassociate (WGSL 15.7.5), and do.
-/// `1 + a * (b - 1)` becomes a mix of 1 and b in Mesa, for example.
-const REGROUPED: f64 = 2.0;
-
 /// What became of a probe's results.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Verdict {
@@ -47,10 +43,10 @@ pub enum Accepted {
 }
 
 impl Accepted {
-    /// Whether a word is acceptable: a float within two units in the last place of its interval.
+    /// Whether a word is acceptable.
     pub fn accepts(&self, word: u32) -> bool {
         match self {
-            Self::Float(interval) => interval.nearly_accepts(f32::from_bits(word), REGROUPED),
+            Self::Float(interval) => interval.accepts(f32::from_bits(word)),
             Self::Int(integers) => integers.accepts(word),
             Self::Truth(Three::Open) => word <= 1,
             Self::Truth(truth) => word == u32::from(*truth == Three::True),

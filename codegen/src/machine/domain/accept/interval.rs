@@ -71,12 +71,6 @@ impl Interval {
         self.is_unbounded() || self.low <= value && value <= self.high
     }
 
-    /// Whether a result would be acceptable if it were so many units in the last place nearer.
-    pub fn nearly_accepts(&self, value: f32, units: f64) -> bool {
-        let (low, high) = self.bounds();
-        self.accepts(value) || Self::outside(low, high, units * ulp(low), units * ulp(high)).accepts(value)
-    }
-
     /// Whether a number that need not be an `f32` lies inside.
     pub fn holds(&self, value: f64) -> bool {
         self.is_unbounded() || f64::from(self.low) <= value && value <= f64::from(self.high)
@@ -153,16 +147,6 @@ mod tests {
         assert!(Interval::point(1e-40).accepts(0.0));
         assert!(Interval::point(-1e-40).accepts(0.0));
         assert!(!Interval::point(1e-30).accepts(0.0));
-    }
-
-    #[test]
-    fn nearly_is_measured_in_units_of_the_ends() {
-        let interval = Interval::new(1.5, 6.0);
-        assert!(interval.nearly_accepts(1.5 - 2.0 * f32::EPSILON, 2.0));
-        assert!(!interval.nearly_accepts(1.5 - 3.0 * f32::EPSILON, 2.0));
-        assert!(interval.nearly_accepts(6.0 + 8.0 * f32::EPSILON, 2.0));
-        assert!(!interval.nearly_accepts(6.0 + 12.0 * f32::EPSILON, 2.0));
-        assert!(!Interval::point(0.0).nearly_accepts(f32::NAN, 2.0));
     }
 
     #[test]

@@ -12,8 +12,9 @@
 //! - an expression may be fused (`a * b + c` rounded once): the exact product lies in the product's interval;
 //! - `dot` may be summed in any order.
 //!
-//! Compilers may reassociate sums in the shader's own text as well (WGSL 15.7.5); that is not modelled, and who
-//! judges a device leaves a few units in the last place for it.
+//! Compilers may reassociate sums in the shader's own text as well (WGSL 15.7.5); that is not modelled. A node
+//! whose text invites it says what it means instead: `mix(1.0, b, t)`, not `1.0 + t * (b - 1.0)`, which compilers turn
+//! into the former.
 //!
 //! Integers are sets of a few values, or ranges. A condition on overlapping intervals is open: both sides run.
 
