@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use terrane::file;
 use terrane::measure::{Plan, Row, Subject, built_in, csv, measure, read, table};
-use terrane::relief::Method;
-use terrane::render::{Gpu, Progress, Selection};
+use terrane::relief::{Method, Placed};
+use terrane::render::Progress;
 use terrane_shaderlib::heightfield::Border;
 
 use super::Failure;
@@ -39,8 +39,8 @@ pub(crate) struct Measure {
     #[arg(long, value_name = "WxH", value_parser = super::render::size, default_value = "640x360")]
     size: [u32; 2],
     /// Times that each method is traced; the median counts
-    #[arg(long, default_value_t = 5)]
-    rounds: usize,
+    #[arg(long, default_value_t = 5, value_parser = clap::value_parser!(u32).range(1..=1000))]
+    rounds: u32,
     /// Comma-separated values with every digit, to this file
     #[arg(short, long, value_name = "CSV")]
     output: Option<PathBuf>,
@@ -53,13 +53,11 @@ impl Measure {
     pub(crate) fn run(self) -> Result<(), Failure> {
         self.validate()?;
         let subjects = self.subjects()?;
-        let selection = self.adapter.as_deref().map_or(Selection::Best, Selection::parse);
-        let gpu = Gpu::new(&selection).map_err(super::render::failure)?;
-        eprintln!("tracing on {}", gpu.name());
+        let gpu = super::render::open(self.adapter.as_deref())?;
         let plan = self.plan();
         let mut rows: Vec<Row> = Vec::new();
         for subject in &subjects {
-            rows.extend(measure(&gpu, subject, &plan, Progress::Stderr).map_err(super::render::failure)?);
+            rows.extend(measure(&gpu, subject, &plan, Progress::Stderr)?);
         }
         print!("{}", table(&rows));
         if let Some(path) = &self.output {
@@ -73,6 +71,9 @@ impl Measure {
         if !(self.depth > 0.0 && self.depth <= 10.0) {
             return usage(format!("--depth {} is not in 0..10 and above 0", self.depth));
         }
+        if !self.side.is_power_of_two() {
+            return usage(format!("--side {}: built-in maps tile, and their sides are powers of two", self.side));
+        }
         if let Some(elevation) = self.elevations.iter().find(|elevation| !(1.0..=75.0).contains(*elevation)) {
             return usage(format!("--elevations: {elevation} is not in 1..75 degrees"));
         }
@@ -85,7 +86,10 @@ impl Measure {
     fn subjects(&self) -> Result<Vec<Subject>, Failure> {
         let Some(path) = &self.heightmap else { return Ok(built_in(self.side)) };
         let border = if self.clamp { Border::Clamp } else { Border::Wrap };
-        let subject = read(path, border).map_err(|error| Failure::Usage(format!("{} {error}", path.display())))?;
+        let usage = |error: &dyn std::fmt::Display| Failure::Usage(format!("{}: {error}", path.display()));
+        let subject = read(path, border).map_err(|error| usage(&error))?;
+        Placed::new(&subject.heights)
+            .map_err(|error| usage(&format!("{error}, or give --clamp if it does not tile")))?;
         Ok(vec![subject])
     }
 

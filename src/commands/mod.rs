@@ -12,6 +12,7 @@ use std::io::Write as _;
 use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
+use terrane::render::RenderError;
 
 /// Compiles terrain materials: RON node graphs in, specialised single-pass WGSL out.
 #[derive(Debug, Parser)]
@@ -99,5 +100,14 @@ impl Failure {
 impl From<terrane::file::Error> for Failure {
     fn from(error: terrane::file::Error) -> Self {
         Self::Machine(error.to_string())
+    }
+}
+
+impl From<RenderError> for Failure {
+    fn from(error: RenderError) -> Self {
+        match error {
+            RenderError::UnknownAdapter { .. } => Self::Usage(error.to_string()),
+            other => Self::Machine(other.to_string()),
+        }
     }
 }

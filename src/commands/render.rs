@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use terrane::render::{Gpu, Image, Preview, Progress, RenderError, Selection, render_preview, render_scene};
+use terrane::render::{Gpu, Image, Preview, Progress, Selection, render_preview, render_scene};
 use terrane::scene::{self, Quality};
 use terrane::{content, file};
 use terrane_codegen::compile::Compiled;
@@ -73,11 +73,11 @@ impl Render {
             .map_err(|found| project::findings(&found, &project.sources))?;
         let gpu = self.prepare(project, &compiled)?;
         let material = scene::material(&compiled, project.root());
-        let field = scene::height_field(&scene.terrain, project.root()).map_err(failure)?;
+        let field = scene::height_field(&scene.terrain, project.root())?;
         let image = self.size.unwrap_or([scene.image.0, scene.image.1]);
         let quality = Quality { image, supersampling: self.samples, tolerance: 1.0 };
         let scene = scene::render_scene(&scene, &compiled, &material, &field, quality);
-        render_scene(&gpu, &scene, Progress::Stderr).map_err(failure)
+        Ok(render_scene(&gpu, &scene, Progress::Stderr)?)
     }
 
     fn surface(&self, project: &mut Project, path: &str) -> Result<Image, Failure> {
@@ -96,15 +96,13 @@ impl Render {
             image: self.size.unwrap_or([1280, 720]),
             supersampling: self.samples,
         };
-        render_preview(&gpu, &preview, Progress::Stderr).map_err(failure)
+        Ok(render_preview(&gpu, &preview, Progress::Stderr)?)
     }
 
     /// Output and device before the textures: whoever lacks a driver or a permission need not wait to hear of it.
     fn prepare(&self, project: &Project, compiled: &Compiled) -> Result<Gpu, Failure> {
         file::check(&self.output)?;
-        let selection = self.adapter.as_deref().map_or(Selection::Best, Selection::parse);
-        let gpu = Gpu::new(&selection).map_err(failure)?;
-        eprintln!("drawing on {}", gpu.name());
+        let gpu = open(self.adapter.as_deref())?;
         content::make(project, &scene::files(compiled))?;
         Ok(gpu)
     }
@@ -117,9 +115,9 @@ fn list() -> Result<(), Failure> {
     Ok(())
 }
 
-pub(super) fn failure(error: RenderError) -> Failure {
-    match error {
-        RenderError::UnknownAdapter { .. } => Failure::Usage(error.to_string()),
-        other => Failure::Machine(other.to_string()),
-    }
+/// The device that `--adapter` means, whose name goes to stderr.
+pub(super) fn open(adapter: Option<&str>) -> Result<Gpu, Failure> {
+    let gpu = Gpu::new(&adapter.map_or(Selection::Best, Selection::parse))?;
+    eprintln!("device: {}", gpu.name());
+    Ok(gpu)
 }

@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 
 use super::run::Row;
 
-const HEAD: [&str; 16] = [
+const HEAD: [&str; 17] = [
     "map",
     "side",
     "elevation",
@@ -20,6 +20,7 @@ const HEAD: [&str; 16] = [
     "unresolved_ppm",
     "error_mean",
     "error_p99",
+    "error_p999",
     "error_max",
 ];
 
@@ -74,6 +75,7 @@ fn cells(row: &Row, round: bool) -> Vec<String> {
         number(errors.unresolved, 0),
         small(errors.mean),
         small(errors.p99),
+        small(errors.p999),
         small(errors.max),
     ]
 }

@@ -19,7 +19,7 @@ pub struct Plan {
     /// Columns and rows of rays.
     pub size: [u32; 2],
     /// Times that each is traced; their median counts.
-    pub rounds: usize,
+    pub rounds: u32,
     /// Nodes after which a search is given up.
     pub limit: u32,
 }
@@ -55,7 +55,7 @@ pub fn measure(gpu: &Gpu, subject: &Subject, plan: &Plan, progress: Progress) ->
     let placed = Placed::new(&subject.heights).map_err(|error| RenderError::Scene(error.to_string()))?;
     let tracers = plan.methods.iter().map(|method| Tracer::new(gpu, &subject.heights, &placed, *method, plan.limit));
     let tracers = tracers.collect::<Result<Vec<_>, _>>()?;
-    let phase = progress.phase("measuring", (plan.elevations.len() * (plan.rounds.max(1) + 2)) as u64);
+    let phase = progress.phase("measuring", plan.elevations.len() as u64 * (u64::from(plan.rounds.max(1)) + 2));
     let mut rows = Vec::new();
     for &elevation in &plan.elevations {
         let view = View { elevation, depth: plan.depth, size: plan.size };

@@ -5,10 +5,11 @@ use std::path::Path;
 
 use terrane_codegen::graph::recipe::recipe;
 use terrane_shaderlib::heightfield::adversary::{Depth, Land, map};
-use terrane_shaderlib::heightfield::{Border, Heights, HeightsError, Texels};
+use terrane_shaderlib::heightfield::{Border, Heights, HeightsError, LARGEST_SIDE, Texels};
 
 use crate::content;
 use crate::content::recipe::{Arguments, maker};
+use crate::render::material::{Samples, open, samples};
 
 /// A map and its name.
 #[derive(Clone, Debug, PartialEq)]
@@ -49,26 +50,23 @@ impl std::error::Error for SubjectError {}
 /// # Errors
 /// Those of [`SubjectError`].
 pub fn read(path: &Path, border: Border) -> Result<Subject, SubjectError> {
-    let open = |error: &dyn fmt::Display| SubjectError::Png(error.to_string());
-    let file = std::fs::File::open(path).map_err(|error| open(&error))?;
-    let mut reader = png::Decoder::new(std::io::BufReader::new(file)).read_info().map_err(|error| open(&error))?;
+    let mut reader = open(path).map_err(SubjectError::Png)?;
     let (color, depth) = reader.output_color_type();
-    let bits = match (color, depth) {
-        (png::ColorType::Grayscale, png::BitDepth::Eight) => 8,
-        (png::ColorType::Grayscale, png::BitDepth::Sixteen) => 16,
-        (color, depth) => return Err(SubjectError::Kind(format!("{color:?} with {} bits", depth as u8))),
-    };
+    if color != png::ColorType::Grayscale {
+        return Err(SubjectError::Kind(format!("{color:?} with {} bits", depth as u8)));
+    }
     let size = [reader.info().width, reader.info().height];
-    let length = reader.output_buffer_size().ok_or_else(|| SubjectError::Png("it is too large".into()))?;
-    let mut bytes = vec![0; length];
-    reader.next_frame(&mut bytes).map_err(|error| open(&error))?;
-    let texels = match bits {
-        8 => Texels::U8(bytes),
-        _ => Texels::U16(bytes.chunks_exact(2).map(|pair| u16::from_be_bytes([pair[0], pair[1]])).collect()),
+    // Before anything of the file's size is allocated.
+    if let Some(side) = size.into_iter().find(|side| *side > LARGEST_SIDE) {
+        return Err(SubjectError::Heights(HeightsError::Side(side)));
+    }
+    let (texels, full) = match samples(&mut reader).map_err(SubjectError::Png)? {
+        Samples::Eight(values) => (Texels::U8(values), 255.0),
+        Samples::Sixteen(values) => (Texels::U16(values), 65535.0),
     };
     let heights = Heights::new(size, border, texels).map_err(SubjectError::Heights)?;
     let name = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
-    Ok(Subject { name, heights, full: if bits == 8 { 255.0 } else { 65535.0 } })
+    Ok(Subject { name, heights, full })
 }
 
 /// Maps that any machine makes, so many texels a side: two materials, and what is hard or easy about relief by itself.

@@ -62,37 +62,21 @@ impl Placed {
         }
         let filled = size.map(u32::next_power_of_two);
         let wrap = if wraps { filled.map(|side| side as i32 - 1) } else { [-1; 2] };
-        let cells = match Pyramid::new(heights, Bound::CellMax).levels() {
-            Levels::U8(levels) => levels[0].values.iter().map(|value| u16::from(*value)).collect(),
-            Levels::U16(levels) => levels[0].values.clone(),
-            Levels::F32(_) => return Err(Unplaceable::Floats),
+        let texels = fill(&texels, size, filled);
+        // Filled up it wraps, whatever it did: the nodes behind the border are held against the first column as well, which
+        // bounds them all the same.
+        let whole = Heights::new(filled, Border::Wrap, Texels::U16(texels.clone()))
+            .expect("a power of two is in range where no smaller side was beyond it");
+        let Levels::U16(levels) = Pyramid::new(&whole, Bound::CellMax).levels().clone() else {
+            return Err(Unplaceable::Floats);
         };
-        let bounds = chain(fill(&cells, heights.cells(), filled), filled);
+        let bounds = levels.into_iter().map(|level| level.values).collect();
         let range = texels
             .iter()
             .fold([f64::MAX, 0.0], |[low, high], height| [low.min(f64::from(*height)), high.max(f64::from(*height))]);
         let last = size.map(|side| side as i32 - 1);
-        Ok(Self { size: filled, texels: fill(&texels, size, filled), bounds, wrap, last, range })
+        Ok(Self { size: filled, texels, bounds, wrap, last, range })
     }
-}
-
-/// Every level of a texture's mip chain over the finest.
-fn chain(finest: Vec<u16>, size: [u32; 2]) -> Vec<Vec<u16>> {
-    let mut levels = vec![finest];
-    let mut size = size.map(|side| side as usize);
-    while size[0] > 1 || size[1] > 1 {
-        let [width, height] = size;
-        size = size.map(|side| (side / 2).max(1));
-        let finer = &levels[levels.len() - 1];
-        let at = |x: usize, y: usize| finer[y.min(height - 1) * width + x.min(width - 1)];
-        let node = |x: usize, y: usize| {
-            let above = at(2 * x, 2 * y).max(at(2 * x + 1, 2 * y));
-            above.max(at(2 * x, 2 * y + 1)).max(at(2 * x + 1, 2 * y + 1))
-        };
-        let coarser = (0..size[0] * size[1]).map(|index| node(index % size[0], index / size[0])).collect();
-        levels.push(coarser);
-    }
-    levels
 }
 
 /// The last column and the last row again, as often as it takes.

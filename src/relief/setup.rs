@@ -34,6 +34,8 @@ pub(super) struct Setup {
     start: f64,
     /// t of the ray for 1 of the device's.
     scale: f64,
+    /// Whether the device's ray ends before that which it stands for: then a miss decides nothing.
+    pub(super) is_cut: bool,
 }
 
 /// The part of a range in which a ray is over the map.
@@ -88,15 +90,15 @@ impl Setup {
             Border::Clamp => start[axis].floor().clamp(0.0, f64::from(heights.cells()[axis] - 1)),
         });
         let inside = [0, 1].map(|axis| (start[axis] - cell[axis]).clamp(0.0, 1.0));
-        let end = ((last - first) / scale).clamp(0.0, LONGEST);
+        let end = (last - first) / scale;
         let device = DeviceRay {
             cell: cell.map(|cell| cell as i32),
             origin: [inside[0] as f32, inside[1] as f32, start[2] as f32],
             direction: ray.direction.map(|along| (along * scale) as f32),
-            end: end as f32,
+            end: end.clamp(0.0, LONGEST) as f32,
             ..DeviceRay::default()
         };
-        Self { ray: device, start: first, scale }
+        Self { ray: device, start: first, scale, is_cut: end > LONGEST }
     }
 
     /// A t of the ray from one of the device's.

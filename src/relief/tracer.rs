@@ -172,21 +172,13 @@ impl<'a> Tracer<'a> {
         let mut encoder = self.gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         encoder.copy_buffer_to_buffer(found, 0, read, 0, read.size());
         self.gpu.queue.submit([encoder.finish()]);
-        let (send, receive) = std::sync::mpsc::channel();
-        read.map_async(wgpu::MapMode::Read, .., move |result| {
-            // The receiver lives until the result is there.
-            drop(send.send(result));
-        });
-        self.gpu.wait()?;
-        let lost = |error: String| RenderError::Lost(error);
-        receive.recv().map_err(|error| lost(error.to_string()))?.map_err(|error| lost(error.to_string()))?;
-        let mapped = read.get_mapped_range(..).map_err(|error| lost(error.to_string()))?;
-        Ok(bytemuck::cast_slice(&mapped).to_vec())
+        Ok(self.gpu.read(read)?.chunks_exact(size_of::<DeviceHit>()).map(bytemuck::pod_read_unaligned).collect())
     }
 }
 
 fn traced(setup: &Setup, hit: &DeviceHit) -> Traced {
     let outcome = match hit.state {
+        0 if setup.is_cut => Outcome::Unresolved,
         0 => Outcome::Miss,
         1 => Outcome::Hit(setup.t(hit.t)),
         _ => Outcome::Unresolved,

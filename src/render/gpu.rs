@@ -107,6 +107,19 @@ impl Gpu {
         }
     }
 
+    /// The bytes of a buffer that may be mapped, once everything that was submitted is done.
+    pub(crate) fn read(&self, buffer: &wgpu::Buffer) -> Result<Vec<u8>> {
+        let (send, receive) = std::sync::mpsc::channel();
+        buffer.map_async(wgpu::MapMode::Read, .., move |result| {
+            // The receiver lives until the result is there.
+            drop(send.send(result));
+        });
+        self.wait()?;
+        let lost = |error: String| RenderError::Lost(error);
+        receive.recv().map_err(|error| lost(error.to_string()))?.map_err(|error| lost(error.to_string()))?;
+        Ok(buffer.get_mapped_range(..).map_err(|error| lost(error.to_string()))?.to_vec())
+    }
+
     /// Waits until everything that was submitted is done.
     pub(crate) fn wait(&self) -> Result<()> {
         self.device.poll(wgpu::PollType::wait_indefinitely()).map_err(|error| RenderError::Lost(error.to_string()))?;

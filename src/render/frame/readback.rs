@@ -1,6 +1,6 @@
 //! Textures as bytes on the host.
 
-use crate::render::error::{RenderError, Result};
+use crate::render::error::Result;
 use crate::render::gpu::Gpu;
 
 /// Rows of a texture whose texels have 4 bytes, without padding.
@@ -26,15 +26,7 @@ pub(crate) fn read_bytes(gpu: &Gpu, texture: &wgpu::Texture) -> Result<Vec<u8>> 
         size,
     );
     gpu.queue.submit([encoder.finish()]);
-    let (send, receive) = std::sync::mpsc::channel();
-    buffer.map_async(wgpu::MapMode::Read, .., move |result| {
-        // The receiver lives until the result is there.
-        drop(send.send(result));
-    });
-    gpu.wait()?;
-    let lost = |error: String| RenderError::Lost(error);
-    receive.recv().map_err(|error| lost(error.to_string()))?.map_err(|error| lost(error.to_string()))?;
-    let mapped = buffer.get_mapped_range(..).map_err(|error| lost(error.to_string()))?;
+    let mapped = gpu.read(&buffer)?;
     Ok(mapped.chunks_exact(stride as usize).flat_map(|row| &row[..size.width as usize * 4]).copied().collect())
 }
 
