@@ -5,6 +5,7 @@
 
 pub mod heightfield;
 pub mod hosts;
+pub mod relief;
 
 /// One WGSL file of the library.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

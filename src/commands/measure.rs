@@ -4,9 +4,10 @@ use std::path::PathBuf;
 
 use terrane::file;
 use terrane::measure::{Plan, Row, Subject, built_in, csv, measure, read, table};
-use terrane::relief::{Method, Placed};
+use terrane::relief::Method;
 use terrane::render::Progress;
 use terrane_shaderlib::heightfield::Border;
+use terrane_shaderlib::relief::{Bounds, Placed};
 
 use super::Failure;
 

@@ -1,6 +1,10 @@
 //! Every method over every view of a map.
 
-use crate::relief::{Method, Placed, Traced, Tracer};
+use std::collections::{BTreeMap, BTreeSet};
+
+use terrane_shaderlib::relief::{Bounds, Placed, Unplaceable};
+
+use crate::relief::{Method, Traced, Tracer};
 use crate::render::{Gpu, Progress, RenderError};
 
 use super::errors::{Errors, truth};
@@ -52,8 +56,9 @@ pub struct Row {
 /// # Errors
 /// Where the map cannot be placed on the device, or the device fails.
 pub fn measure(gpu: &Gpu, subject: &Subject, plan: &Plan, progress: Progress) -> Result<Vec<Row>, RenderError> {
-    let placed = Placed::new(&subject.heights).map_err(|error| RenderError::Scene(error.to_string()))?;
-    let tracers = plan.methods.iter().map(|method| Tracer::new(gpu, &subject.heights, &placed, *method, plan.limit));
+    let placed = placed(subject, plan).map_err(|error| RenderError::Scene(error.to_string()))?;
+    let tracer = |method: &Method| Tracer::new(gpu, &subject.heights, &placed[&method.bounds()], *method);
+    let tracers = plan.methods.iter().map(tracer);
     let tracers = tracers.collect::<Result<Vec<_>, _>>()?;
     let phase = progress.phase("measuring", plan.elevations.len() as u64 * (u64::from(plan.rounds.max(1)) + 2));
     let mut rows = Vec::new();
@@ -92,6 +97,12 @@ pub fn measure(gpu: &Gpu, subject: &Subject, plan: &Plan, progress: Progress) ->
         }
     }
     Ok(rows)
+}
+
+/// The map with the bounds of every method.
+fn placed(subject: &Subject, plan: &Plan) -> Result<BTreeMap<Bounds, Placed>, Unplaceable> {
+    let bounds: BTreeSet<Bounds> = plan.methods.iter().map(|method| method.bounds()).collect();
+    bounds.into_iter().map(|one| Ok((one, Placed::new(&subject.heights, one, plan.limit)?))).collect()
 }
 
 fn median(times: &mut [f64]) -> f64 {

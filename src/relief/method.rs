@@ -2,6 +2,8 @@
 
 use std::fmt;
 
+use terrane_shaderlib::relief::Bounds;
+
 /// A way to find the first hit of a ray, and its budget.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Method {
@@ -18,6 +20,15 @@ impl Method {
     #[must_use]
     pub fn is_exact(self) -> bool {
         !matches!(self, Self::Linear(..))
+    }
+
+    /// What it knows of the map.
+    #[must_use]
+    pub fn bounds(self) -> Bounds {
+        match self {
+            Self::Walk | Self::MaximumMipmaps => Bounds::CellMax,
+            Self::Linear(..) => Bounds::None,
+        }
     }
 
     /// WGSL that calls it for `ray`.

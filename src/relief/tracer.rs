@@ -1,16 +1,17 @@
 //! One method over one map on one device.
 
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use bytemuck::{Pod, Zeroable};
-use terrane_codegen::diagnostic::Sources;
-use terrane_codegen::library::Library;
 use terrane_shaderlib::heightfield::Heights;
-use wgpu::util::{BufferInitDescriptor, DeviceExt as _, TextureDataOrder};
+use terrane_shaderlib::relief::Placed;
+use wgpu::util::{BufferInitDescriptor, DeviceExt as _};
 
+use super::clock::Clock;
 use super::method::Method;
-use super::placed::Placed;
 use super::setup::{DeviceRay, Segment, Setup};
+use super::shader::{pipeline, shader};
+use super::texture::texture;
 use crate::render::{Gpu, RenderError};
 
 /// What became of a ray.
@@ -56,55 +57,25 @@ struct DeviceHit {
     leaves: u32,
 }
 
-const HOST: &str = "
-struct ReliefStored { cell: vec2i, origin: vec3f, direction: vec3f, end: f32 }
-@group(0) @binding(0) var<uniform> relief_field: ReliefField;
-@group(0) @binding(1) var<storage, read> relief_rays: array<ReliefStored>;
-@group(0) @binding(2) var<storage, read_write> relief_hits: array<ReliefHit>;
-@group(0) @binding(3) var relief_heights: texture_2d<u32>;
-@group(0) @binding(4) var relief_bounds: texture_2d<u32>;
-
-@compute @workgroup_size(64)
-fn relief_main(@builtin(global_invocation_id) id: vec3u, @builtin(num_workgroups) groups: vec3u) {
-    let index = id.x + id.y * groups.x * 64u;
-    if index < arrayLength(&relief_rays) {
-        let stored = relief_rays[index];
-        let ray = ReliefRay(stored.cell, stored.origin, stored.direction, stored.end);
-        relief_hits[index] = CALL;
-    }
-}
-";
-
 /// Work groups in a row of a dispatch: WebGPU promises 65535.
 const ROW: usize = 32_768;
 
 impl<'a> Tracer<'a> {
-    /// Uploads the map and compiles the method. After `limit` nodes a search is given up.
+    /// Uploads the map and compiles the method; `placed` is the map with the bounds of the method.
     ///
     /// # Errors
     /// [`RenderError::Refused`] where the device takes no part of it.
-    pub fn new(
-        gpu: &'a Gpu,
-        heights: &'a Heights,
-        placed: &Placed,
-        method: Method,
-        limit: u32,
-    ) -> Result<Self, RenderError> {
-        let ([wrap_x, wrap_y], [last_x, last_y]) = (placed.wrap, placed.last);
-        let field = [wrap_x, wrap_y, last_x, last_y, placed.bounds.len() as i32 - 1, limit as i32, 0, 0];
+    pub fn new(gpu: &'a Gpu, heights: &'a Heights, placed: &Placed, method: Method) -> Result<Self, RenderError> {
         let pipeline = gpu.checked("relief's pipeline", || pipeline(gpu, &shader(method)))?;
         gpu.checked("relief's data", || Self {
             gpu,
             heights,
             range: placed.range,
             pipeline,
-            textures: [
-                texture(gpu, placed.size, std::slice::from_ref(&placed.texels)),
-                texture(gpu, placed.size, &placed.bounds),
-            ],
+            textures: [texture(gpu, &placed.heights), texture(gpu, &placed.bounds)],
             field: gpu.device.create_buffer_init(&BufferInitDescriptor {
                 label: Some("relief's field"),
-                contents: bytemuck::cast_slice(&field),
+                contents: bytemuck::cast_slice(&placed.fields[0].words()),
                 usage: wgpu::BufferUsages::UNIFORM,
             }),
         })
@@ -140,7 +111,7 @@ impl<'a> Tracer<'a> {
         let read = device.create_buffer(&buffer(wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ));
         let group = self.bind([&sent, &found]);
         self.gpu.wait()?;
-        let start = Instant::now();
+        let clock = Clock::start(self.gpu);
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         {
             let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
@@ -151,7 +122,7 @@ impl<'a> Tracer<'a> {
         }
         self.gpu.queue.submit([encoder.finish()]);
         self.gpu.wait()?;
-        let time = start.elapsed();
+        let time = clock.elapsed();
         Ok((self.read(&found, &read)?, time))
     }
 
@@ -184,79 +155,4 @@ fn traced(setup: &Setup, hit: &DeviceHit) -> Traced {
         _ => Outcome::Unresolved,
     };
     Traced { outcome, steps: hit.steps, leaves: hit.leaves }
-}
-
-/// WGSL that traces rays from a buffer by a method: an entry point, and what it needs of the library.
-#[must_use]
-pub fn shader(method: Method) -> String {
-    let library =
-        Library::load(&mut Sources::default(), &[]).expect("the shipped library is right, which its tests show");
-    let host = HOST.replace("CALL", &method.call());
-    let items = library.closure(&host);
-    let declarations = items.iter().map(|item| library.slice(*item).to_owned() + "\n");
-    declarations.chain([host.clone()]).collect()
-}
-
-fn pipeline(gpu: &Gpu, text: &str) -> wgpu::ComputePipeline {
-    let module = module(gpu, text);
-    let entries: Vec<_> = (0..5).map(entry).collect();
-    let group = gpu
-        .device
-        .create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some("relief"), entries: &entries });
-    let layout = gpu.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-        label: Some("relief"),
-        bind_group_layouts: &[Some(&group)],
-        ..Default::default()
-    });
-    gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-        label: Some("relief"),
-        layout: Some(&layout),
-        module: &module,
-        entry_point: Some("relief_main"),
-        compilation_options: wgpu::PipelineCompilationOptions::default(),
-        cache: None,
-    })
-}
-
-/// Without the checks that wgpu would add, which would be measured too: a counter in every loop, a bound on every index.
-#[allow(unsafe_code)]
-fn module(gpu: &Gpu, text: &str) -> wgpu::ShaderModule {
-    let descriptor =
-        wgpu::ShaderModuleDescriptor { label: Some("relief"), source: wgpu::ShaderSource::Wgsl(text.into()) };
-    // SAFETY: the text is the library's own. Every loop ends: they count nodes up to a limit, or steps. Indices of buffers
-    // are compared with their length; texels are masked into a map that wraps, and held inside one that does not, over
-    // which rays are cut to the map before they are sent.
-    unsafe { gpu.device.create_shader_module_trusted(descriptor, wgpu::ShaderRuntimeChecks::unchecked()) }
-}
-
-fn entry(binding: u32) -> wgpu::BindGroupLayoutEntry {
-    let buffer = |ty| wgpu::BindingType::Buffer { ty, has_dynamic_offset: false, min_binding_size: None };
-    let ty = match binding {
-        0 => buffer(wgpu::BufferBindingType::Uniform),
-        1 => buffer(wgpu::BufferBindingType::Storage { read_only: true }),
-        2 => buffer(wgpu::BufferBindingType::Storage { read_only: false }),
-        _ => wgpu::BindingType::Texture {
-            sample_type: wgpu::TextureSampleType::Uint,
-            view_dimension: wgpu::TextureViewDimension::D2,
-            multisampled: false,
-        },
-    };
-    wgpu::BindGroupLayoutEntry { binding, visibility: wgpu::ShaderStages::COMPUTE, ty, count: None }
-}
-
-fn texture(gpu: &Gpu, [width, height]: [u32; 2], levels: &[Vec<u16>]) -> wgpu::TextureView {
-    let descriptor = wgpu::TextureDescriptor {
-        label: Some("relief"),
-        size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
-        mip_level_count: levels.len() as u32,
-        sample_count: 1,
-        dimension: wgpu::TextureDimension::D2,
-        format: wgpu::TextureFormat::R16Uint,
-        usage: wgpu::TextureUsages::TEXTURE_BINDING,
-        view_formats: &[],
-    };
-    let texels: Vec<u16> = levels.concat();
-    let bytes = bytemuck::cast_slice(&texels);
-    let texture = gpu.device.create_texture_with_data(&gpu.queue, &descriptor, TextureDataOrder::LayerMajor, bytes);
-    texture.create_view(&wgpu::TextureViewDescriptor::default())
 }

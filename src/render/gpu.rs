@@ -87,6 +87,11 @@ impl Gpu {
         &self.name
     }
 
+    /// Whether a processor draws.
+    pub(crate) fn is_software(&self) -> bool {
+        self.software
+    }
+
     /// Samples along a footprint, of those that a sampler asks for.
     ///
     /// A processor takes them one after the other: four cost 4.5 times the time of a whole picture. It takes one; the

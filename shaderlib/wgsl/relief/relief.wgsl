@@ -5,16 +5,20 @@
 //! four texels. Every method traces this one surface.
 //! Source: Terrane; the patch after Ramsey, Potter and Hansen, "Ray Bilinear Patch Intersections", JGT 2004, for height fields one quadratic.
 
-/// A height map, and the quadtree of maxima over its cells.
+/// How one mip of a height map is read, and the bounds over its cells.
 struct ReliefField {
     /// Sides less 1 of the map's cells where it wraps, both powers of two; -1 where it does not.
     wrap: vec2i,
     /// The last column and row of texels.
     last: vec2i,
-    /// The coarsest level of the quadtree: one node.
+    /// What is added to a cell before it is shifted to a node: that is the node's texel in the image of bounds.
+    corner: vec2i,
+    /// The coarsest level of the bounds.
     top: i32,
     /// Nodes that may be visited before the search is given up as unresolved.
     limit: u32,
+    /// The mip of the heights.
+    mip: i32,
 }
 
 /// A ray that comes down on the map, or leaves the ground.
@@ -59,13 +63,12 @@ const RELIEF_LEAST: f32 = 8.673617379884035e-19;
 
 /// The height of a texel in steps.
 fn relief_texel(heights: texture_2d<u32>, field: ReliefField, texel: vec2i) -> f32 {
-    return f32(textureLoad(heights, min(texel & field.wrap, field.last), 0).r);
+    return f32(textureLoad(heights, min(texel & field.wrap, field.last), field.mip).r);
 }
 
 /// The largest height over a node, in steps.
 fn relief_bound(bounds: texture_2d<u32>, field: ReliefField, cell: vec2i, level: i32) -> f32 {
-    let shift = vec2u(u32(level));
-    return f32(textureLoad(bounds, (cell & field.wrap) >> shift, level).r);
+    return f32(textureLoad(bounds, ((cell & field.wrap) + field.corner) >> vec2u(u32(level)), 0i).r);
 }
 
 /// The four heights of a cell in a mirrored frame: at its corner, one along x, one along y, and both.

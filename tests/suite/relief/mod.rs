@@ -1,9 +1,10 @@
 //! Exact relief methods on the device against the reference in f64.
 
-use terrane::relief::{Method, Outcome, Placed, Segment, Traced, Tracer, shader};
+use terrane::relief::{Method, Outcome, Segment, Traced, Tracer, shader};
 use terrane::render::{Gpu, Selection};
 use terrane_shaderlib::heightfield::adversary::{AIMS, Case, Depth, LANDS, Random, Rays, SIZES, map};
 use terrane_shaderlib::heightfield::{Border, Heights, Ray, first_hit};
+use terrane_shaderlib::relief::{Bounds, Placed};
 
 use crate::skip::Skip;
 use crate::tint::{Module, Tint};
@@ -48,7 +49,7 @@ fn lands(rays: usize, seed: u64) -> impl Iterator<Item = (Heights, Vec<Segment>)
     let all = LANDS.iter().flat_map(|land| SIZES.iter().map(move |size| (*land, *size)));
     all.flat_map(|one| [(one, Border::Wrap), (one, Border::Clamp)]).filter_map(move |((land, size), border)| {
         let heights = map(land, size, border, Depth::Sixteen, random.bits()).ok()?;
-        Placed::new(&heights).ok()?;
+        Placed::new(&heights, Bounds::None, LIMIT).ok()?;
         let mut source = Rays::new(&heights, random.bits());
         let cases: Vec<Case> = (0..rays).map(|index| source.case(AIMS[index % AIMS.len()])).collect();
         let sent = cases.iter().map(|case| Segment { ray: case.ray, range: (0.0, case.end as f64) }).collect();
@@ -60,8 +61,8 @@ fn judge(method: Method, rays: usize, seed: u64) -> Option<(usize, Vec<String>)>
     let gpu = device()?;
     let (mut count, mut faults) = (0, Vec::new());
     for (heights, sent) in lands(rays, seed) {
-        let placed = Placed::new(&heights).expect("filtered above");
-        let tracer = Tracer::new(&gpu, &heights, &placed, method, LIMIT).expect("the device takes it");
+        let placed = Placed::new(&heights, method.bounds(), LIMIT).expect("filtered above");
+        let tracer = Tracer::new(&gpu, &heights, &placed, method).expect("the device takes it");
         let (traced, _) = tracer.trace(&sent).expect("the device answers");
         count += sent.len();
         faults.extend(sent.iter().zip(&traced).filter_map(|(segment, traced)| fault(&heights, segment, traced)));

@@ -77,6 +77,12 @@ impl Pyramid {
         &self.levels
     }
 
+    /// The levels by themselves.
+    #[must_use]
+    pub fn into_levels(self) -> Levels {
+        self.levels
+    }
+
     /// The bound of a node as a number that holds it exactly.
     ///
     /// # Panics

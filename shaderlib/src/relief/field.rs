@@ -1,0 +1,29 @@
+//! `ReliefField` of `wgsl/relief/relief.wgsl`.
+
+/// How a shader reads one mip of a map, and its bounds.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Field {
+    /// Sides less 1 of a map that wraps, powers of two; −1 for one that does not.
+    pub wrap: [i32; 2],
+    /// The last column and row of texels.
+    pub last: [i32; 2],
+    /// What is added to a cell before it is shifted to a node of a level: that is its texel in the image of bounds. A level of
+    /// n nodes a side then lies in rows n to 2n, and its mips beside each other.
+    pub corner: [i32; 2],
+    /// The coarsest level.
+    pub top: i32,
+    /// Nodes that may be visited before a search is given up.
+    pub limit: u32,
+    /// The mip of the heights.
+    pub mip: i32,
+}
+
+impl Field {
+    /// The words of a uniform buffer.
+    #[must_use]
+    pub fn words(&self) -> [i32; 10] {
+        let Self { wrap, last, corner, top, limit, mip } = *self;
+        // A limit beyond 2^31 keeps its bits.
+        [wrap[0], wrap[1], last[0], last[1], corner[0], corner[1], top, limit as i32, mip, 0]
+    }
+}

@@ -1,0 +1,12 @@
+//! What the methods of `wgsl/relief` read: a map and its bounds as textures, and the words of its `ReliefField`.
+//!
+//! A map is filled up to powers of two. Its heights are a texture with mips; the bounds of all mips stand in one image, each
+//! level where a shift of its cells finds it (see [`Field::corner`]).
+
+mod atlas;
+mod field;
+mod mips;
+mod placed;
+
+pub use field::Field;
+pub use placed::{Bounds, Placed, Plane, Unplaceable, Words};

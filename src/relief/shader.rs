@@ -1,0 +1,84 @@
+//! A method as a compute pipeline.
+
+use terrane_codegen::diagnostic::Sources;
+use terrane_codegen::library::Library;
+
+use super::method::Method;
+use crate::render::Gpu;
+
+const HOST: &str = "
+struct ReliefStored { cell: vec2i, origin: vec3f, direction: vec3f, end: f32 }
+@group(0) @binding(0) var<uniform> relief_field: ReliefField;
+@group(0) @binding(1) var<storage, read> relief_rays: array<ReliefStored>;
+@group(0) @binding(2) var<storage, read_write> relief_hits: array<ReliefHit>;
+@group(0) @binding(3) var relief_heights: texture_2d<u32>;
+@group(0) @binding(4) var relief_bounds: texture_2d<u32>;
+
+@compute @workgroup_size(64)
+fn relief_main(@builtin(global_invocation_id) id: vec3u, @builtin(num_workgroups) groups: vec3u) {
+    let index = id.x + id.y * groups.x * 64u;
+    if index < arrayLength(&relief_rays) {
+        let stored = relief_rays[index];
+        let ray = ReliefRay(stored.cell, stored.origin, stored.direction, stored.end);
+        relief_hits[index] = CALL;
+    }
+}
+";
+
+/// WGSL that traces rays from a buffer by a method: an entry point, and what it needs of the library.
+#[must_use]
+pub fn shader(method: Method) -> String {
+    let library =
+        Library::load(&mut Sources::default(), &[]).expect("the shipped library is right, which its tests show");
+    let host = HOST.replace("CALL", &method.call());
+    let items = library.closure(&host);
+    let declarations = items.iter().map(|item| library.slice(*item).to_owned() + "\n");
+    declarations.chain([host.clone()]).collect()
+}
+
+pub(super) fn pipeline(gpu: &Gpu, text: &str) -> wgpu::ComputePipeline {
+    let module = module(gpu, text);
+    let entries: Vec<_> = (0..5).map(entry).collect();
+    let group = gpu
+        .device
+        .create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some("relief"), entries: &entries });
+    let layout = gpu.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+        label: Some("relief"),
+        bind_group_layouts: &[Some(&group)],
+        ..Default::default()
+    });
+    gpu.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+        label: Some("relief"),
+        layout: Some(&layout),
+        module: &module,
+        entry_point: Some("relief_main"),
+        compilation_options: wgpu::PipelineCompilationOptions::default(),
+        cache: None,
+    })
+}
+
+/// Without the checks that wgpu would add, which would be measured too: a counter in every loop, a bound on every index.
+#[allow(unsafe_code)]
+fn module(gpu: &Gpu, text: &str) -> wgpu::ShaderModule {
+    let descriptor =
+        wgpu::ShaderModuleDescriptor { label: Some("relief"), source: wgpu::ShaderSource::Wgsl(text.into()) };
+    // SAFETY: the text is the library's own. Every loop ends: they count nodes up to a limit, or steps. Indices of buffers
+    // are compared with their length; texels are masked into a map that wraps, and held inside one that does not, over
+    // which rays are cut to the map before they are sent.
+    unsafe { gpu.device.create_shader_module_trusted(descriptor, wgpu::ShaderRuntimeChecks::unchecked()) }
+}
+
+fn entry(binding: u32) -> wgpu::BindGroupLayoutEntry {
+    let buffer = |ty| wgpu::BindingType::Buffer { ty, has_dynamic_offset: false, min_binding_size: None };
+    let ty = match binding {
+        0 => buffer(wgpu::BufferBindingType::Uniform),
+        1 => buffer(wgpu::BufferBindingType::Storage { read_only: true }),
+        2 => buffer(wgpu::BufferBindingType::Storage { read_only: false }),
+        _ => wgpu::BindingType::Texture {
+            sample_type: wgpu::TextureSampleType::Uint,
+            view_dimension: wgpu::TextureViewDimension::D2,
+            multisampled: false,
+        },
+    };
+    wgpu::BindGroupLayoutEntry { binding, visibility: wgpu::ShaderStages::COMPUTE, ty, count: None }
+}
