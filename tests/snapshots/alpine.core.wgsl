@@ -49,7 +49,7 @@ fn macro_blend(
     /// How much brighter and darker it gets. 0..1 = 0.3
     amount: f32,
 ) -> vec3f {
-    return saturate(base * (1.0 + amount * (2.0 * variation - 1.0)));
+    return saturate(base * mix(1.0, 2.0 * variation, amount));
 }
 
 /// normal_whiteout(vec3f(0.6, 0.0, 0.8), vec3f(0.0, 0.0, 1.0)) == vec3f(0.6, 0.0, 0.8) +- 1e-5
