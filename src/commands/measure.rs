@@ -4,10 +4,9 @@ use std::path::PathBuf;
 
 use terrane::file;
 use terrane::measure::{Plan, Row, Subject, built_in, csv, measure, read, table};
-use terrane::relief::Method;
 use terrane::render::Progress;
 use terrane_shaderlib::heightfield::Border;
-use terrane_shaderlib::relief::{Bounds, Placed};
+use terrane_shaderlib::relief::{Bounds, Method, Placed};
 
 use super::Failure;
 

@@ -2,9 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use terrane_shaderlib::relief::{Bounds, Placed, Unplaceable};
+use terrane_shaderlib::relief::{Bounds, Method, Placed, Unplaceable};
 
-use crate::relief::{Method, Traced, Tracer};
+use crate::relief::{Traced, Tracer};
 use crate::render::{Gpu, Progress, RenderError};
 
 use super::errors::{Errors, truth};

@@ -7,13 +7,11 @@
 //! ```
 
 mod clock;
-mod method;
 mod setup;
 mod shader;
 mod texture;
 mod tracer;
 
-pub use method::Method;
 pub use setup::Segment;
 pub use shader::shader;
 pub use tracer::{Outcome, Traced, Tracer};

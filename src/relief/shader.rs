@@ -2,8 +2,8 @@
 
 use terrane_codegen::diagnostic::Sources;
 use terrane_codegen::library::Library;
+use terrane_shaderlib::relief::Method;
 
-use super::method::Method;
 use crate::render::Gpu;
 
 const HOST: &str = "
@@ -11,8 +11,8 @@ struct ReliefStored { cell: vec2i, origin: vec3f, direction: vec3f, end: f32 }
 @group(0) @binding(0) var<uniform> relief_field: ReliefField;
 @group(0) @binding(1) var<storage, read> relief_rays: array<ReliefStored>;
 @group(0) @binding(2) var<storage, read_write> relief_hits: array<ReliefHit>;
-@group(0) @binding(3) var relief_heights: texture_2d<u32>;
-@group(0) @binding(4) var relief_bounds: texture_2d<u32>;
+@group(0) @binding(3) var relief_heights: texture_2d_array<u32>;
+@group(0) @binding(4) var relief_bounds: texture_2d_array<u32>;
 
 @compute @workgroup_size(64)
 fn relief_main(@builtin(global_invocation_id) id: vec3u, @builtin(num_workgroups) groups: vec3u) {
@@ -30,7 +30,7 @@ fn relief_main(@builtin(global_invocation_id) id: vec3u, @builtin(num_workgroups
 pub fn shader(method: Method) -> String {
     let library =
         Library::load(&mut Sources::default(), &[]).expect("the shipped library is right, which its tests show");
-    let host = HOST.replace("CALL", &method.call());
+    let host = HOST.replace("CALL", &method.call("relief_heights", "relief_bounds", "relief_field", "ray"));
     let items = library.closure(&host);
     let declarations = items.iter().map(|item| library.slice(*item).to_owned() + "\n");
     declarations.chain([host.clone()]).collect()
@@ -76,7 +76,7 @@ fn entry(binding: u32) -> wgpu::BindGroupLayoutEntry {
         2 => buffer(wgpu::BufferBindingType::Storage { read_only: false }),
         _ => wgpu::BindingType::Texture {
             sample_type: wgpu::TextureSampleType::Uint,
-            view_dimension: wgpu::TextureViewDimension::D2,
+            view_dimension: wgpu::TextureViewDimension::D2Array,
             multisampled: false,
         },
     };

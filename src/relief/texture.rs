@@ -22,5 +22,6 @@ pub(super) fn texture(gpu: &Gpu, plane: &Plane) -> wgpu::TextureView {
         view_formats: &[],
     };
     let texture = gpu.device.create_texture_with_data(&gpu.queue, &descriptor, TextureDataOrder::LayerMajor, &bytes);
-    texture.create_view(&wgpu::TextureViewDescriptor::default())
+    let dimension = Some(wgpu::TextureViewDimension::D2Array);
+    texture.create_view(&wgpu::TextureViewDescriptor { dimension, ..Default::default() })
 }

@@ -4,11 +4,10 @@ use std::time::Duration;
 
 use bytemuck::{Pod, Zeroable};
 use terrane_shaderlib::heightfield::Heights;
-use terrane_shaderlib::relief::Placed;
+use terrane_shaderlib::relief::{Method, Placed};
 use wgpu::util::{BufferInitDescriptor, DeviceExt as _};
 
 use super::clock::Clock;
-use super::method::Method;
 use super::setup::{DeviceRay, Segment, Setup};
 use super::shader::{pipeline, shader};
 use super::texture::texture;

@@ -16,14 +16,16 @@ pub struct Field {
     pub limit: u32,
     /// The mip of the heights.
     pub mip: i32,
+    /// The layer of the textures.
+    pub layer: i32,
 }
 
 impl Field {
     /// The words of a uniform buffer.
     #[must_use]
     pub fn words(&self) -> [i32; 10] {
-        let Self { wrap, last, corner, top, limit, mip } = *self;
+        let Self { wrap, last, corner, top, limit, mip, layer } = *self;
         // A limit beyond 2^31 keeps its bits.
-        [wrap[0], wrap[1], last[0], last[1], corner[0], corner[1], top, limit as i32, mip, 0]
+        [wrap[0], wrap[1], last[0], last[1], corner[0], corner[1], top, limit as i32, mip, layer]
     }
 }

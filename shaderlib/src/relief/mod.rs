@@ -5,8 +5,10 @@
 
 mod atlas;
 mod field;
+mod method;
 mod mips;
 mod placed;
 
 pub use field::Field;
+pub use method::Method;
 pub use placed::{Bounds, Placed, Plane, Unplaceable, Words};

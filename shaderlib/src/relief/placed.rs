@@ -22,7 +22,7 @@ pub enum Words {
     R16(Vec<Vec<u16>>),
 }
 
-/// An image for a shader's `texture_2d<u32>`.
+/// An image for a shader's `texture_2d_array<u32>`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Plane {
     /// Columns and rows of the first mip.
@@ -101,6 +101,7 @@ impl Placed {
                 top: one.size[0].min(one.size[1]).ilog2() as i32,
                 limit,
                 mip: mip as i32,
+                layer: 0,
             }
         });
         let fields = fields.collect();

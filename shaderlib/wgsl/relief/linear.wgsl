@@ -4,7 +4,7 @@
 
 /// The first hit that linear search finds. `steps` is at least 1; `halvings` is 0 for one secant step, more for binary search.
 fn linear_trace(
-    heights: texture_2d<u32>,
+    heights: texture_2d_array<u32>,
     field: ReliefField,
     ray: ReliefRay,
     steps: u32,
@@ -26,7 +26,7 @@ fn linear_trace(
 }
 
 /// The ray's height less the surface's.
-fn linear_gap(heights: texture_2d<u32>, field: ReliefField, ray: ReliefRay, t: f32) -> f32 {
+fn linear_gap(heights: texture_2d_array<u32>, field: ReliefField, ray: ReliefRay, t: f32) -> f32 {
     let at = ray.origin + ray.direction * t;
     let whole = floor(at.xy);
     let part = at.xy - whole;
@@ -36,7 +36,7 @@ fn linear_gap(heights: texture_2d<u32>, field: ReliefField, ray: ReliefRay, t: f
 
 /// The place between a point above the surface and one below it.
 fn linear_refined(
-    heights: texture_2d<u32>,
+    heights: texture_2d_array<u32>,
     field: ReliefField,
     ray: ReliefRay,
     bracket: vec2f,

@@ -4,8 +4,8 @@
 
 /// The first hit of a ray.
 fn maximum_mipmaps_trace(
-    heights: texture_2d<u32>,
-    bounds: texture_2d<u32>,
+    heights: texture_2d_array<u32>,
+    bounds: texture_2d_array<u32>,
     field: ReliefField,
     ray: ReliefRay,
 ) -> ReliefHit {

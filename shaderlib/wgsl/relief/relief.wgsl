@@ -19,6 +19,8 @@ struct ReliefField {
     limit: u32,
     /// The mip of the heights.
     mip: i32,
+    /// The layer of the textures.
+    layer: i32,
 }
 
 /// A ray that comes down on the map, or leaves the ground.
@@ -62,17 +64,17 @@ const RELIEF_PAD: f32 = 0.125;
 const RELIEF_LEAST: f32 = 8.673617379884035e-19;
 
 /// The height of a texel in steps.
-fn relief_texel(heights: texture_2d<u32>, field: ReliefField, texel: vec2i) -> f32 {
-    return f32(textureLoad(heights, min(texel & field.wrap, field.last), field.mip).r);
+fn relief_texel(heights: texture_2d_array<u32>, field: ReliefField, texel: vec2i) -> f32 {
+    return f32(textureLoad(heights, min(texel & field.wrap, field.last), field.layer, field.mip).r);
 }
 
 /// The largest height over a node, in steps.
-fn relief_bound(bounds: texture_2d<u32>, field: ReliefField, cell: vec2i, level: i32) -> f32 {
-    return f32(textureLoad(bounds, ((cell & field.wrap) + field.corner) >> vec2u(u32(level)), 0i).r);
+fn relief_bound(bounds: texture_2d_array<u32>, field: ReliefField, cell: vec2i, level: i32) -> f32 {
+    return f32(textureLoad(bounds, ((cell & field.wrap) + field.corner) >> vec2u(u32(level)), field.layer, 0i).r);
 }
 
 /// The four heights of a cell in a mirrored frame: at its corner, one along x, one along y, and both.
-fn relief_corners(heights: texture_2d<u32>, field: ReliefField, cell: vec2i, mirror: vec2i) -> vec4f {
+fn relief_corners(heights: texture_2d_array<u32>, field: ReliefField, cell: vec2i, mirror: vec2i) -> vec4f {
     // Cell c is the mirror image of cell -1 - c, and texel c that of texel -c.
     let near = (cell ^ mirror) - mirror;
     let far = ((cell + 1i) ^ mirror) - mirror;

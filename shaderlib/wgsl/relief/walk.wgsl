@@ -54,8 +54,8 @@ struct WalkState {
 
 /// The first hit of a ray.
 fn walk_trace(
-    heights: texture_2d<u32>,
-    bounds: texture_2d<u32>,
+    heights: texture_2d_array<u32>,
+    bounds: texture_2d_array<u32>,
     field: ReliefField,
     ray: ReliefRay,
 ) -> ReliefHit {
@@ -88,7 +88,7 @@ fn walk_trace(
 }
 
 /// Walks until it stands on a cell that may be hit, is past the end, or has seen too many nodes.
-fn walk_to_cell(bounds: texture_2d<u32>, field: ReliefField, frame: WalkFrame, start: WalkState) -> WalkState {
+fn walk_to_cell(bounds: texture_2d_array<u32>, field: ReliefField, frame: WalkFrame, start: WalkState) -> WalkState {
     let falls = frame.direction.z < 0.0;
     var state = start;
     loop {

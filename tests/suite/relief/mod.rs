@@ -1,10 +1,10 @@
 //! Exact relief methods on the device against the reference in f64.
 
-use terrane::relief::{Method, Outcome, Segment, Traced, Tracer, shader};
+use terrane::relief::{Outcome, Segment, Traced, Tracer, shader};
 use terrane::render::{Gpu, Selection};
 use terrane_shaderlib::heightfield::adversary::{AIMS, Case, Depth, LANDS, Random, Rays, SIZES, map};
 use terrane_shaderlib::heightfield::{Border, Heights, Ray, first_hit};
-use terrane_shaderlib::relief::{Bounds, Placed};
+use terrane_shaderlib::relief::{Bounds, Method, Placed};
 
 use crate::skip::Skip;
 use crate::tint::{Module, Tint};

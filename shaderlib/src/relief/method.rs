@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use terrane_shaderlib::relief::Bounds;
+use super::Bounds;
 
 /// A way to find the first hit of a ray, and its budget.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,6 +16,9 @@ pub enum Method {
 }
 
 impl Method {
+    /// The fastest exact one, by docs/relief/notebook.md.
+    pub const BEST: Self = Self::Walk;
+
     /// Whether it finds the first hit of every ray.
     #[must_use]
     pub fn is_exact(self) -> bool {
@@ -31,13 +34,15 @@ impl Method {
         }
     }
 
-    /// WGSL that calls it for `ray`.
-    pub(super) fn call(self) -> String {
+    /// WGSL that calls it, from the names of the height texture, the bounds, the field and the ray.
+    #[must_use]
+    pub fn call(self, heights: &str, bounds: &str, field: &str, ray: &str) -> String {
+        let exact = |name: &str| format!("{name}({heights}, {bounds}, {field}, {ray})");
         match self {
-            Self::Walk => "walk_trace(relief_heights, relief_bounds, relief_field, ray)".into(),
-            Self::MaximumMipmaps => "maximum_mipmaps_trace(relief_heights, relief_bounds, relief_field, ray)".into(),
+            Self::Walk => exact("walk_trace"),
+            Self::MaximumMipmaps => exact("maximum_mipmaps_trace"),
             Self::Linear(steps, halvings) => {
-                format!("linear_trace(relief_heights, relief_field, ray, {steps}u, {halvings}u)")
+                format!("linear_trace({heights}, {field}, {ray}, {steps}u, {halvings}u)")
             }
         }
     }
