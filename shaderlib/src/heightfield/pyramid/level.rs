@@ -14,12 +14,14 @@ pub struct Level<T> {
 /// Columns and rows of a level.
 pub(super) type Region = [Range<u32>; 2];
 
-impl<T: Copy> Level<T> {
-    /// A level of one value.
-    pub(super) fn filled(size: [u32; 2], value: T) -> Self {
-        Self { size, values: vec![value; size[0] as usize * size[1] as usize] }
+impl<T: Copy + Default> Level<T> {
+    /// A level that is still to be filled. Of zeros, which the system hands out without writing them.
+    pub(super) fn blank(size: [u32; 2]) -> Self {
+        Self { size, values: vec![T::default(); size[0] as usize * size[1] as usize] }
     }
+}
 
+impl<T: Copy> Level<T> {
     /// The value at a column and row.
     ///
     /// # Panics

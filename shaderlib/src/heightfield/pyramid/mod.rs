@@ -2,6 +2,7 @@
 //!
 //! Level 0 is the finest; a node of level k + 1 is two by two nodes of level k, or what there is of them at the border.
 
+mod bands;
 mod level;
 mod reduce;
 mod wide;
@@ -9,7 +10,7 @@ mod wide;
 use std::ops::Range;
 
 use self::level::touched;
-use self::reduce::{Extreme, Max, Min, cells, nodes};
+use self::reduce::{Extreme, Height, Max, Min, cell_row, cells, nodes};
 use super::heights::{Border, Heights, Texels};
 
 pub use self::level::Level;
@@ -115,20 +116,22 @@ fn sizes(finest: [u32; 2]) -> impl Iterator<Item = [u32; 2]> {
     std::iter::successors(Some(finest), |size| (size[0] > 1 || size[1] > 1).then(|| size.map(|side| side.div_ceil(2))))
 }
 
-fn build<T: Copy + PartialOrd + Send + Sync>(heights: &Heights, values: &[T], bound: Bound) -> Vec<Level<T>> {
-    let finest = if bound == Bound::TexelMax { heights.size() } else { heights.cells() };
-    let mut levels: Vec<Level<T>> = sizes(finest).map(|size| Level::filled(size, values[0])).collect();
-    fill(&mut levels, heights, values, bound, None);
+fn build<T: Height>(heights: &Heights, values: &[T], bound: Bound) -> Vec<Level<T>> {
+    let size = heights.size();
+    let width = size[0] as usize;
+    let finest = if bound == Bound::TexelMax { size } else { heights.cells() };
+    let mut levels: Vec<Level<T>> = sizes(finest).map(Level::blank).collect();
+    match bound {
+        Bound::TexelMax => bands::build::<Max, T>(&mut levels, |y, row| {
+            row.copy_from_slice(&values[y as usize * width..][..width]);
+        }),
+        Bound::CellMax => bands::build::<Max, T>(&mut levels, |y, row| cell_row::<Max, T>(values, size, y, 0, row)),
+        Bound::CellMin => bands::build::<Min, T>(&mut levels, |y, row| cell_row::<Min, T>(values, size, y, 0, row)),
+    }
     levels
 }
 
-fn change<T: Copy + PartialOrd + Send + Sync>(
-    levels: &mut [Level<T>],
-    heights: &Heights,
-    values: &[T],
-    bound: Bound,
-    texels: [Range<u32>; 2],
-) {
+fn change<T: Height>(levels: &mut [Level<T>], heights: &Heights, values: &[T], bound: Bound, texels: [Range<u32>; 2]) {
     if texels.iter().any(Range::is_empty) {
         return;
     }
@@ -138,18 +141,12 @@ fn change<T: Copy + PartialOrd + Send + Sync>(
         Bound::CellMax | Bound::CellMin => touched(texels, levels[0].size, wrap),
     };
     for region in regions {
-        fill(levels, heights, values, bound, Some(region));
+        fill(levels, heights, values, bound, region);
     }
 }
 
-fn fill<T: Copy + PartialOrd + Send + Sync>(
-    levels: &mut [Level<T>],
-    heights: &Heights,
-    values: &[T],
-    bound: Bound,
-    region: Option<[Range<u32>; 2]>,
-) {
-    let region = region.unwrap_or_else(|| levels[0].whole());
+/// Fills the nodes over a region of the finest level.
+fn fill<T: Height>(levels: &mut [Level<T>], heights: &Heights, values: &[T], bound: Bound, region: [Range<u32>; 2]) {
     match bound {
         Bound::TexelMax => {
             let width = heights.size()[0] as usize;
@@ -172,7 +169,7 @@ fn fill<T: Copy + PartialOrd + Send + Sync>(
 }
 
 /// The coarser levels over a region of the finest.
-fn climb<E: Extreme, T: Copy + PartialOrd + Send + Sync>(levels: &mut [Level<T>], mut region: [Range<u32>; 2]) {
+fn climb<E: Extreme, T: Height>(levels: &mut [Level<T>], mut region: [Range<u32>; 2]) {
     for index in 1..levels.len() {
         region = region.map(|range| range.start / 2..range.end.div_ceil(2));
         let (finer, coarser) = levels.split_at_mut(index);

@@ -57,9 +57,8 @@ impl Wide {
             let children = &levels[(2 * index).min(levels.len() - 1)];
             let rows = texels.par_chunks_mut(size[0] as usize).skip(place.at[1] as usize).take(place.size[1] as usize);
             rows.enumerate().for_each(|(y, row)| {
-                for (x, texel) in row[place.at[0] as usize..][..place.size[0] as usize].iter_mut().enumerate() {
-                    *texel = node(children, [x as u32, y as u32], shift);
-                }
+                let nodes = &mut row[place.at[0] as usize..][..place.size[0] as usize];
+                (0..CHILDREN).for_each(|j| word(children, CHILDREN * y as u32 + j, shift, nodes, j as usize));
             });
         }
         Self { shift, size, texels, levels: places }
@@ -109,16 +108,18 @@ fn places(cells: [u32; 2]) -> Vec<Place> {
     places
 }
 
-/// Sixteen bounds: a byte is the largest height less one, rounded down, so that `(byte + 1) << shift` is not below it.
-fn node<T: Copy + Into<u32>>(children: &Level<T>, [x, y]: [u32; 2], shift: u32) -> [u32; 4] {
-    std::array::from_fn(|j| {
-        (0..CHILDREN).fold(0, |word, i| {
-            let (column, row) = (CHILDREN * x + i, CHILDREN * y + j as u32);
-            if column >= children.size[0] || row >= children.size[1] {
-                return word;
-            }
-            let highest: u32 = children.at(column, row).into();
-            word | (highest.saturating_sub(1) >> shift) << (8 * i)
-        })
-    })
+/// The bounds of a row of children, word `index` of each node over it: a byte is the largest height less one, rounded down,
+/// so that `(byte + 1) << shift` is not below it. Where there are no children, 0 stays.
+fn word<T: Copy + Into<u32>>(children: &Level<T>, row: u32, shift: u32, nodes: &mut [[u32; 4]], index: usize) {
+    if row >= children.size[1] {
+        return;
+    }
+    let byte = |highest: T| highest.into().saturating_sub(1) >> shift;
+    let (whole, rest) = children.row(row).as_chunks::<{ CHILDREN as usize }>();
+    for (node, [a, b, c, d]) in nodes.iter_mut().zip(whole) {
+        node[index] = byte(*a) | byte(*b) << 8 | byte(*c) << 16 | byte(*d) << 24;
+    }
+    if let Some(node) = nodes.get_mut(whole.len()) {
+        node[index] = rest.iter().rev().fold(0, |word, highest| word << 8 | byte(*highest));
+    }
 }
