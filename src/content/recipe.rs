@@ -74,6 +74,7 @@ const fn maker_of(name: &'static str, revision: u32, make: fn(&Arguments) -> Vec
 
 /// One for each recipe.
 pub const MAKERS: &[Maker] = &[
+    maker_of("bricks", 1, |arguments| material::bricks::make(arguments).maps(arguments)),
     maker_of("cracked_rock", 1, |arguments| material::cracked_rock::make(arguments).maps(arguments)),
     maker_of("dunes", 1, terrain::dunes::make),
     maker_of("forest_floor", 1, |arguments| material::forest_floor::make(arguments).maps(arguments)),

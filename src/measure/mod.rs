@@ -1,20 +1,34 @@
 //! Time against error: relief methods over maps and views, each judged by the reference in f64.
 //!
 //! ```text
-//! Subject  --view-->   rays        a window of parallel rays at one elevation
-//! Method   --Tracer--> outcomes    time, taken in turns with the other methods
-//! outcomes --judge-->  Errors      against `first_hit`
-//! all      --report--> table, CSV
+//! Subject  --View-->    rays            a window of parallel rays at one elevation
+//! Method   --Tracer-->  outcomes        time, taken in turns with the other methods
+//! outcomes --Errors-->  Row             against `first_hit`
+//! rows     --report-->  table, CSV
+//! rows     --plot-->    SVG, PNG        error against time, and against loads
+//! rows     --recommend-->  a sentence   the fastest that is good enough
 //! ```
 
 mod errors;
+mod maps;
+mod plot;
+mod pyramids;
+mod recommend;
 mod report;
+mod row;
 mod run;
+mod slope;
 mod subject;
+mod times;
 mod view;
 
-pub use errors::Errors;
+pub use errors::{Errors, Spread};
+pub use maps::{BuiltIn, MAPS, UnknownMap};
+pub use plot::{Cost, Plot, PlotError};
+pub use pyramids::{Built, pyramids, pyramids_csv, pyramids_table};
+pub use recommend::{Candidate, Recommendation, recommend};
 pub use report::{csv, table};
-pub use run::{Plan, Row, measure};
-pub use subject::{Subject, SubjectError, built_in, read};
+pub use row::Row;
+pub use run::{BASELINE, Plan, measure};
+pub use subject::{Subject, SubjectError, read};
 pub use view::View;

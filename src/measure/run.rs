@@ -1,25 +1,27 @@
 //! Every method over every view of a map.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
+use terrane_shaderlib::heightfield::Hit;
 use terrane_shaderlib::relief::{Bounds, Method, Placed, Unplaceable};
 
-use crate::relief::{Traced, Tracer};
-use crate::render::{Gpu, Progress, RenderError};
-
 use super::errors::{Errors, truth};
+use super::row::Row;
 use super::subject::Subject;
+use super::times::Times;
 use super::view::View;
+use crate::relief::{Segment, Timing, Traced, Tracer};
+use crate::render::{Gpu, Phase, Progress, RenderError};
 
 /// What is measured.
 #[derive(Clone, Debug)]
 pub struct Plan {
-    /// The first is what the times of the others are compared with.
+    /// The methods; the baseline is measured besides.
     pub methods: Vec<Method>,
     /// Degrees above the ground.
     pub elevations: Vec<f64>,
     /// How deep the relief is, over the side of the tile.
-    pub depth: f64,
+    pub depths: Vec<f64>,
     /// Columns and rows of rays.
     pub size: [u32; 2],
     /// Times that each is traced; their median counts.
@@ -28,27 +30,26 @@ pub struct Plan {
     pub limit: u32,
 }
 
-/// One method over one view.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Row {
-    /// The map.
-    pub map: String,
-    /// Its texels a side.
-    pub side: u32,
-    /// Degrees above the ground.
-    pub elevation: f64,
-    /// The method.
-    pub method: Method,
-    /// Nodes or samples a ray: mean, what one in a hundred exceeds, most.
-    pub steps: [f64; 3],
-    /// Patches intersected, a ray.
-    pub leaves: f64,
-    /// Nanoseconds a ray, all cores together.
-    pub time: f64,
-    /// Time over that of the first method, in the same rounds.
-    pub ratio: f64,
-    /// Against the reference.
-    pub errors: Errors,
+/// What every time is compared with: the exact method as it was published.
+pub const BASELINE: Method = Method::MaximumMipmaps;
+
+impl Plan {
+    /// The methods with the baseline, which comes first where it was not named.
+    fn methods(&self) -> Vec<Method> {
+        let missing = (!self.methods.contains(&BASELINE)).then_some(BASELINE);
+        missing.into_iter().chain(self.methods.iter().copied()).collect()
+    }
+
+    fn views(&self) -> Vec<View> {
+        let pairs =
+            self.depths.iter().flat_map(|depth| self.elevations.iter().map(move |elevation| (depth, elevation)));
+        pairs.map(|(&depth, &elevation)| View { elevation, depth, size: self.size }).collect()
+    }
+
+    /// How often each is traced: the first round does not count, since a driver may compile in it.
+    fn traces(&self) -> u32 {
+        self.rounds.max(1) + 1
+    }
 }
 
 /// Traces every view of a map by every method, in turns, so that what else the machine does hits all alike.
@@ -56,58 +57,108 @@ pub struct Row {
 /// # Errors
 /// Where the map cannot be placed on the device, or the device fails.
 pub fn measure(gpu: &Gpu, subject: &Subject, plan: &Plan, progress: Progress) -> Result<Vec<Row>, RenderError> {
-    let placed = placed(subject, plan).map_err(|error| RenderError::Scene(error.to_string()))?;
-    let tracer = |method: &Method| Tracer::new(gpu, &subject.heights, &placed[&method.bounds()], *method);
-    let tracers = plan.methods.iter().map(tracer);
-    let tracers = tracers.collect::<Result<Vec<_>, _>>()?;
-    let phase = progress.phase("measuring", plan.elevations.len() as u64 * (u64::from(plan.rounds.max(1)) + 2));
+    let methods = plan.methods();
+    let placed = placed(subject, &methods, plan.limit).map_err(|error| RenderError::Scene(error.to_string()))?;
+    let tracers = tracers(gpu, subject, &methods, &placed)?;
+    let views = plan.views();
+    let phase = progress.phase("measuring", views.len() as u64 * (u64::from(plan.traces()) + 1));
     let mut rows = Vec::new();
-    for &elevation in &plan.elevations {
-        let view = View { elevation, depth: plan.depth, size: plan.size };
+    for view in &views {
         let rays = view.rays(&subject.heights, subject.full);
         let truth = truth(&subject.heights, &rays);
         phase.advance(1);
-        let mut times = vec![Vec::new(); tracers.len()];
-        let mut traced = vec![Vec::new(); tracers.len()];
-        for round in 0..=plan.rounds.max(1) {
-            for (index, tracer) in tracers.iter().enumerate() {
-                let (found, time) = tracer.trace(&rays)?;
-                // A driver may compile in the first round.
-                if round > 0 {
-                    times[index].push(time.as_secs_f64() * 1e9 / rays.len() as f64);
-                }
-                traced[index] = found;
-            }
-            phase.advance(1);
-        }
-        let base = median(&mut times[0].clone());
-        for (index, method) in plan.methods.iter().enumerate() {
-            let time = median(&mut times[index]);
-            rows.push(Row {
-                map: subject.name.clone(),
-                side: subject.heights.size()[0],
-                elevation,
-                method: *method,
-                steps: spread(&traced[index]),
-                leaves: traced[index].iter().map(|one| f64::from(one.leaves)).sum::<f64>() / rays.len() as f64,
-                time,
-                ratio: time / base,
-                errors: Errors::new(&rays, &truth, &traced[index]),
-            });
-        }
+        let (times, traced) = rounds(&tracers, &rays, plan.traces(), &phase)?;
+        let one = Scene { subject, view, rays: &rays, truth: &truth, timing: Timing::of(gpu) };
+        rows.extend(methods.iter().enumerate().map(|(index, method)| {
+            let times =
+                [times.median(index), times.ratio(index, BASELINE, &methods), times.over_exact(index, &methods)];
+            one.row(*method, times, &traced[index])
+        }));
     }
     Ok(rows)
 }
 
 /// The map with the bounds of every method.
-fn placed(subject: &Subject, plan: &Plan) -> Result<BTreeMap<Bounds, Placed>, Unplaceable> {
-    let bounds: BTreeSet<Bounds> = plan.methods.iter().map(|method| method.bounds()).collect();
-    bounds.into_iter().map(|one| Ok((one, Placed::new(&subject.heights, one, plan.limit)?))).collect()
+fn placed(subject: &Subject, methods: &[Method], limit: u32) -> Result<BTreeMap<Bounds, Placed>, Unplaceable> {
+    let mut placed = BTreeMap::new();
+    for method in methods {
+        let bounds = method.bounds();
+        if !placed.contains_key(&bounds) {
+            placed.insert(bounds, Placed::new(&subject.heights, bounds, limit)?);
+        }
+    }
+    Ok(placed)
 }
 
-fn median(times: &mut [f64]) -> f64 {
-    times.sort_by(f64::total_cmp);
-    times[times.len() / 2]
+/// One for each method; those with the same bounds share what is uploaded.
+fn tracers<'a>(
+    gpu: &'a Gpu,
+    subject: &'a Subject,
+    methods: &[Method],
+    placed: &BTreeMap<Bounds, Placed>,
+) -> Result<Vec<Tracer<'a>>, RenderError> {
+    let mut tracers: Vec<Tracer<'a>> = Vec::new();
+    for (index, method) in methods.iter().enumerate() {
+        let same = methods[..index].iter().position(|earlier| earlier.bounds() == method.bounds());
+        tracers.push(match same {
+            Some(earlier) => tracers[earlier].sharing(*method)?,
+            None => Tracer::new(gpu, &subject.heights, &placed[&method.bounds()], *method)?,
+        });
+    }
+    Ok(tracers)
+}
+
+/// Nanoseconds a ray of every counted round, and what the last one found.
+fn rounds(
+    tracers: &[Tracer<'_>],
+    rays: &[Segment],
+    traces: u32,
+    phase: &Phase,
+) -> Result<(Times, Vec<Vec<Traced>>), RenderError> {
+    let mut times = Times::new(tracers.len());
+    let mut traced = vec![Vec::new(); tracers.len()];
+    for round in 0..traces {
+        for (index, tracer) in tracers.iter().enumerate() {
+            let (found, time) = tracer.trace(rays)?;
+            if round > 0 {
+                times.add(index, time.as_secs_f64() * 1e9 / rays.len().max(1) as f64);
+            }
+            traced[index] = found;
+        }
+        phase.advance(1);
+    }
+    Ok((times, traced))
+}
+
+/// What all rows of a view have in common.
+struct Scene<'a> {
+    subject: &'a Subject,
+    view: &'a View,
+    rays: &'a [Segment],
+    truth: &'a [Option<Hit>],
+    timing: Timing,
+}
+
+impl Scene<'_> {
+    fn row(&self, method: Method, [time, ratio, over_exact]: [f64; 3], traced: &[Traced]) -> Row {
+        let Self { subject, view, rays, truth, timing } = *self;
+        let scale = view.scale(&subject.heights, subject.full);
+        let leaves = traced.iter().map(|one| f64::from(one.leaves)).sum::<f64>();
+        Row {
+            map: subject.name.clone(),
+            side: subject.heights.size()[0],
+            depth: view.depth,
+            elevation: view.elevation,
+            method,
+            timing,
+            time,
+            ratio,
+            over_exact,
+            steps: spread(traced),
+            leaves: leaves / rays.len().max(1) as f64,
+            errors: Errors::new(&subject.heights, scale, rays, truth, traced),
+        }
+    }
 }
 
 fn spread(traced: &[Traced]) -> [f64; 3] {

@@ -1,14 +1,10 @@
-//! The maps that are measured.
+//! What is measured on.
 
 use std::fmt;
 use std::path::Path;
 
-use terrane_codegen::graph::recipe::recipe;
-use terrane_shaderlib::heightfield::adversary::{Depth, Land, map};
 use terrane_shaderlib::heightfield::{Border, Heights, HeightsError, LARGEST_SIDE, Texels};
 
-use crate::content;
-use crate::content::recipe::{Arguments, maker};
 use crate::render::material::{Samples, open, samples};
 
 /// A map and its name.
@@ -67,26 +63,4 @@ pub fn read(path: &Path, border: Border) -> Result<Subject, SubjectError> {
     let heights = Heights::new(size, border, texels).map_err(SubjectError::Heights)?;
     let name = path.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
     Ok(Subject { name, heights, full })
-}
-
-/// Maps that any machine makes, so many texels a side: two materials, and what is hard or easy about relief by itself.
-#[must_use]
-pub fn built_in(side: u32) -> Vec<Subject> {
-    let materials = ["cracked_rock", "pebbles"].into_iter().filter_map(|name| material(name, side));
-    let lands = [Land::Hills, Land::Cracks, Land::Walls, Land::Needles, Land::Noise];
-    materials.chain(lands.into_iter().filter_map(|land| artificial(land, side))).collect()
-}
-
-fn material(name: &str, side: u32) -> Option<Subject> {
-    let arguments = Arguments::defaults(recipe(name)?, side, 1);
-    let content::map::Texels::Grey16(texels) = (maker(name).make)(&arguments).swap_remove(0).texels else {
-        return None;
-    };
-    let heights = Heights::new([side; 2], Border::Wrap, Texels::U16(texels)).ok()?;
-    Some(Subject { name: name.into(), heights, full: 65535.0 })
-}
-
-fn artificial(land: Land, side: u32) -> Option<Subject> {
-    let heights = map(land, [side; 2], Border::Wrap, Depth::Sixteen, 1).ok()?;
-    Some(Subject { name: format!("{land:?}").to_lowercase(), heights, full: 65535.0 })
 }

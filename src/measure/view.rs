@@ -16,6 +16,12 @@ pub struct View {
 }
 
 impl View {
+    /// Texels to a step of height, of which `full` make the depth.
+    #[must_use]
+    pub fn scale(&self, heights: &Heights, full: f64) -> f64 {
+        self.depth * f64::from(heights.size()[0]) / full
+    }
+
     /// Rays from the lid of the relief to a little under its floor, in blocks of 8 x 8 neighbours as a GPU has them. Heights
     /// count in steps, of which `full` make the depth.
     #[must_use]
@@ -32,7 +38,7 @@ impl View {
         let azimuth = 0.6 + 0.5 * (u - 0.5);
         let elevation = (self.elevation * (1.0 + 0.3 * (v - 0.5))).to_radians();
         let [width, height] = heights.size().map(f64::from);
-        let steps = full / (self.depth * width);
+        let steps = 1.0 / self.scale(heights, full);
         let direction = [azimuth.cos() * elevation.cos(), azimuth.sin() * elevation.cos(), -elevation.sin() * steps];
         let origin = [width * (0.1 + 0.8 * u), height * (0.1 + 0.8 * v), full];
         Segment { ray: Ray { origin, direction }, range: (0.0, (full + 2.0) / -direction[2]) }

@@ -12,6 +12,7 @@ mod shader;
 mod texture;
 mod tracer;
 
+pub use clock::Timing;
 pub use setup::Segment;
 pub use shader::shader;
 pub use tracer::{Outcome, Traced, Tracer};

@@ -7,7 +7,7 @@ use terrane_shaderlib::heightfield::Heights;
 use terrane_shaderlib::relief::{Method, Placed};
 use wgpu::util::{BufferInitDescriptor, DeviceExt as _};
 
-use super::clock::Clock;
+use super::clock::{Clock, Timing};
 use super::setup::{DeviceRay, Segment, Setup};
 use super::shader::{pipeline, shader};
 use super::texture::texture;
@@ -41,6 +41,7 @@ pub struct Tracer<'a> {
     gpu: &'a Gpu,
     heights: &'a Heights,
     range: [f64; 2],
+    timing: Timing,
     pipeline: wgpu::ComputePipeline,
     textures: [wgpu::TextureView; 2],
     field: wgpu::Buffer,
@@ -70,6 +71,7 @@ impl<'a> Tracer<'a> {
             gpu,
             heights,
             range: placed.range,
+            timing: Timing::of(gpu),
             pipeline,
             textures: [texture(gpu, &placed.heights), texture(gpu, &placed.bounds)],
             field: gpu.device.create_buffer_init(&BufferInitDescriptor {
@@ -78,6 +80,21 @@ impl<'a> Tracer<'a> {
                 usage: wgpu::BufferUsages::UNIFORM,
             }),
         })
+    }
+
+    /// Another method with the same bounds, over the same map: what was uploaded serves both.
+    ///
+    /// # Errors
+    /// [`RenderError::Refused`] where the device does not take the method.
+    pub fn sharing(&self, method: Method) -> Result<Self, RenderError> {
+        let pipeline = self.gpu.checked("relief's pipeline", || pipeline(self.gpu, &shader(method)))?;
+        Ok(Self { pipeline, textures: self.textures.clone(), field: self.field.clone(), ..*self })
+    }
+
+    /// The same with its time taken otherwise; [`Timing::Device`] needs [`Gpu::has_timestamps`].
+    #[must_use]
+    pub fn timed(self, timing: Timing) -> Self {
+        Self { timing, ..self }
     }
 
     /// Traces rays, each in its range of t, and says how long the device took, all cores together where it is a CPU.
@@ -110,18 +127,20 @@ impl<'a> Tracer<'a> {
         let read = device.create_buffer(&buffer(wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ));
         let group = self.bind([&sent, &found]);
         self.gpu.wait()?;
-        let clock = Clock::start(self.gpu);
+        let clock = Clock::start(self.gpu, self.timing);
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         {
-            let mut pass = encoder.begin_compute_pass(&wgpu::ComputePassDescriptor::default());
+            let descriptor = wgpu::ComputePassDescriptor { label: Some("relief"), timestamp_writes: clock.writes() };
+            let mut pass = encoder.begin_compute_pass(&descriptor);
             pass.set_pipeline(&self.pipeline);
             pass.set_bind_group(0, &group, &[]);
             let groups = rays.len().div_ceil(64);
             pass.dispatch_workgroups(groups.min(ROW) as u32, groups.div_ceil(ROW) as u32, 1);
         }
+        clock.resolve(&mut encoder);
         self.gpu.queue.submit([encoder.finish()]);
         self.gpu.wait()?;
-        let time = clock.elapsed();
+        let time = clock.elapsed(self.gpu)?;
         Ok((self.read(&found, &read)?, time))
     }
 

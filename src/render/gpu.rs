@@ -54,6 +54,30 @@ impl Gpu {
     /// [`RenderError::NoAdapter`] where there is none at all, [`RenderError::UnknownAdapter`] where none is meant by the
     /// selection, [`RenderError::Device`] where the driver gives no device.
     pub fn new(selection: &Selection) -> Result<Self> {
+        let descriptor = wgpu::DeviceDescriptor { label: Some("terrane"), ..Default::default() };
+        Self::open(selection, |_| descriptor)
+    }
+
+    /// Opens a device to measure on: with timestamps and the largest textures that it has.
+    ///
+    /// # Errors
+    /// Those of [`Gpu::new`].
+    pub fn measuring(selection: &Selection) -> Result<Self> {
+        Self::open(selection, |adapter| {
+            let largest = adapter.limits().max_texture_dimension_2d;
+            wgpu::DeviceDescriptor {
+                label: Some("terrane"),
+                required_features: adapter.features() & wgpu::Features::TIMESTAMP_QUERY,
+                required_limits: wgpu::Limits { max_texture_dimension_2d: largest, ..Default::default() },
+                ..Default::default()
+            }
+        })
+    }
+
+    fn open(
+        selection: &Selection,
+        describe_device: impl FnOnce(&wgpu::Adapter) -> wgpu::DeviceDescriptor<'static>,
+    ) -> Result<Self> {
         let adapters = adapters();
         let names: Vec<String> = adapters.iter().map(describe).collect();
         if names.is_empty() {
@@ -62,8 +86,7 @@ impl Gpu {
         let index = selection.pick(&names).ok_or_else(|| unknown(selection, &names))?;
         let name = names[index].clone();
         let software = adapters[index].get_info().device_type == wgpu::DeviceType::Cpu;
-        let descriptor = wgpu::DeviceDescriptor { label: Some("terrane"), ..Default::default() };
-        let (device, queue) = pollster::block_on(adapters[index].request_device(&descriptor))
+        let (device, queue) = pollster::block_on(adapters[index].request_device(&describe_device(&adapters[index])))
             .map_err(|error| RenderError::Device { adapter: name.clone(), reason: error.to_string() })?;
         let failure = Arc::new(Mutex::new(None));
         let seen = Arc::clone(&failure);
@@ -85,6 +108,12 @@ impl Gpu {
     #[must_use]
     pub fn name(&self) -> &str {
         &self.name
+    }
+
+    /// Whether it takes timestamps: those of [`Gpu::measuring`] do, where the hardware does.
+    #[must_use]
+    pub fn has_timestamps(&self) -> bool {
+        self.device.features().contains(wgpu::Features::TIMESTAMP_QUERY)
     }
 
     /// Whether a processor draws.

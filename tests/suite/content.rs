@@ -165,6 +165,7 @@ fn heights_use_their_range() {
 #[test]
 fn albedo_is_believable() {
     let ranges = BTreeMap::from([
+        ("bricks", (0.1, 0.25)),
         ("cracked_rock", (0.2, 0.35)),
         ("forest_floor", (0.06, 0.15)),
         ("grass", (0.05, 0.15)),

@@ -6,6 +6,7 @@ mod embed;
 mod emitted;
 mod house;
 mod library;
+mod measure;
 mod output;
 mod picture;
 mod random;

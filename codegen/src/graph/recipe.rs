@@ -93,6 +93,16 @@ const fn material(name: &'static str, doc: &'static str, arguments: &'static [Ar
 /// Every recipe, sorted by name.
 pub const RECIPES: &[Recipe] = &[
     material(
+        "bricks",
+        "A wall of bricks with vertical sides and mortar between them; 2 m a tile.",
+        &[
+            size(1024.0),
+            SEED,
+            depth(0.01),
+            argument("mortar", "How deep the joints are, of the depth.", (0.4, 0.9), 0.75),
+        ],
+    ),
+    material(
         "cracked_rock",
         "Bedrock split by joints into blocks, grained and overgrown; 4 m a tile.",
         &[

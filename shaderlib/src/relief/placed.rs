@@ -31,6 +31,16 @@ pub struct Plane {
     pub words: Words,
 }
 
+impl Plane {
+    /// Bytes of all its mips.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        match &self.words {
+            Words::R16(mips) => mips.iter().map(|mip| size_of_val(&mip[..])).sum(),
+        }
+    }
+}
+
 /// What a device needs of a map.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Placed {

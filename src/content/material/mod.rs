@@ -1,4 +1,5 @@
 //! Materials: a height map and an albedo map each, tiling.
+pub mod bricks;
 pub mod cracked_rock;
 pub mod forest_floor;
 pub mod grass;
