@@ -6,7 +6,7 @@ use std::sync::Once;
 use plotters::coord::Shift;
 use plotters::prelude::{Circle, DrawingArea, DrawingBackend, PathElement, Polygon, RGBColor, Rectangle, Text};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
-use plotters::style::{Color as _, FontFamily, FontStyle, FontTransform, IntoTextStyle as _, register_font};
+use plotters::style::{Color as _, FontDesc, FontFamily, FontStyle, FontTransform, TextStyle, register_font};
 
 /// The drawing library's own words.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -93,8 +93,8 @@ impl<'a, B: DrawingBackend> Pen<'a, B> {
             _ => HPos::Right,
         };
         let turn = if look.rises { FontTransform::Rotate270 } else { FontTransform::None };
-        let font = plotters::style::FontDesc::new(FontFamily::SansSerif, look.size * self.scale, style).transform(turn);
-        let style = font.into_text_style(self.area).with_color(look.color).pos(Pos::new(anchor, VPos::Center));
+        let font = FontDesc::new(FontFamily::SansSerif, look.size * self.scale, style).transform(turn);
+        let style = TextStyle::from(font).color(&look.color).pos(Pos::new(anchor, VPos::Center));
         said(self.area.draw(&Text::new(text, self.at(at), style)))
     }
 }
