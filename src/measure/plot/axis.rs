@@ -29,8 +29,8 @@ impl Axis {
         let positive = numbers.clone().filter(|number| *number > 0.0);
         let (low, high) = positive.fold((f64::MAX, 0.0_f64), |(low, high), one| (low.min(one), high.max(one)));
         let (low, high) = if high > 0.0 { (low, high) } else { (1.0, 1.0) };
-        // A little room at both ends, and never less than a decade.
-        let (low, high) = (low.log10() - 0.12, high.log10() + 0.12);
+        // A little room at both ends, more where a budget stands over a mark, and never less than a decade.
+        let (low, high) = (low.log10() - 0.12, high.log10() + 0.25);
         let middle = 0.5 * (low + high);
         let zero = numbers.into_iter().any(|number| number == 0.0);
         Self { low: low.min(middle - 0.5), high: high.max(middle + 0.5), zero }
