@@ -4,11 +4,13 @@
 //! level where a shift of its cells finds it (see [`Field::corner`]).
 
 mod atlas;
+mod displacement;
 mod field;
 mod method;
 mod mips;
 mod placed;
 
+pub use displacement::{Displacement, Undefined};
 pub use field::Field;
 pub use method::Method;
 pub use placed::{Bounds, Placed, Plane, Unplaceable, Words};
