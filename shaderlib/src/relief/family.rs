@@ -3,18 +3,19 @@
 use std::fmt;
 use std::str::FromStr;
 
+use super::Displacement;
 use super::method::Method;
 
 /// A method with all its budgets.
 struct Family {
     /// The word before the budget.
     name: &'static str,
-    /// What the numbers of its budget are; none for a method without a budget.
-    budget: &'static [&'static str],
+    /// What stands in its brackets; nothing for a method without a budget.
+    budget: &'static str,
     /// Those that a name alone stands for.
     defaults: &'static [Method],
-    /// That of a budget, if there is one.
-    with: fn(&[u32]) -> Option<Method>,
+    /// That of a budget as it is written, if there is one.
+    with: fn(&str) -> Option<Method>,
 }
 
 /// Every method that can be named; a new one is a line here.
@@ -23,27 +24,56 @@ const FAMILIES: &[Family] = &[
     single("walk", &[Method::Walk]),
     Family {
         name: "linear_secant",
-        budget: &["STEPS"],
+        budget: "STEPS",
         defaults: &[Method::Linear(32, 0), Method::Linear(128, 0), Method::Linear(512, 0)],
-        with: |budget| (budget[0] > 0).then_some(Method::Linear(budget[0], 0)),
+        with: |budget| numbers(budget).filter(|[steps]| *steps > 0).map(|[steps]| Method::Linear(steps, 0)),
     },
     Family {
         name: "linear_binary",
-        budget: &["STEPS", "HALVINGS"],
+        budget: "STEPS, HALVINGS",
         defaults: &[Method::Linear(32, 6), Method::Linear(128, 6)],
-        with: |budget| (budget[0] > 0 && budget[1] > 0).then_some(Method::Linear(budget[0], budget[1])),
+        with: |budget| {
+            let both = numbers(budget).filter(|[steps, halvings]| *steps > 0 && *halvings > 0);
+            both.map(|[steps, halvings]| Method::Linear(steps, halvings))
+        },
     },
+    Family {
+        name: "parallax_offset",
+        budget: "STEPS A TEXEL",
+        defaults: &[Method::ParallaxOffset(1280)],
+        with: |budget| numbers(budget).map(|[steep]| Method::ParallaxOffset(steep)),
+    },
+    Family {
+        name: "quadtree_displacement",
+        budget: "SWITCH: VALUE, …",
+        defaults: &[Method::QuadtreeDisplacement(Displacement::PUBLISHED)],
+        with: |budget| Displacement::parse(budget).map(Method::QuadtreeDisplacement),
+    },
+    single("quadtree_displacement_repaired", &[Method::QuadtreeDisplacementRepaired]),
+    Family {
+        name: "quadtree_relief",
+        budget: "FINEST LEVEL",
+        defaults: &[Method::QuadtreeRelief(0)],
+        with: |budget| numbers(budget).filter(|[finest]| *finest < 16).map(|[finest]| Method::QuadtreeRelief(finest)),
+    },
+    single("quadtree_relief_exact", &[Method::QuadtreeReliefExact]),
 ];
+
+/// So many whole numbers with commas between them.
+fn numbers<const N: usize>(text: &str) -> Option<[u32; N]> {
+    let numbers: Vec<u32> = text.split(',').map(|part| part.trim().parse().ok()).collect::<Option<_>>()?;
+    numbers.try_into().ok()
+}
 
 /// A method without a budget.
 const fn single(name: &'static str, defaults: &'static [Method]) -> Family {
-    Family { name, budget: &[], defaults, with: |_| None }
+    Family { name, budget: "", defaults, with: |_| None }
 }
 
 impl Family {
     /// `linear_binary(STEPS, HALVINGS)`
     fn form(&self) -> String {
-        if self.budget.is_empty() { self.name.into() } else { format!("{}({})", self.name, self.budget.join(", ")) }
+        if self.budget.is_empty() { self.name.into() } else { format!("{}({})", self.name, self.budget) }
     }
 }
 
@@ -63,7 +93,7 @@ impl fmt::Display for MethodError {
                 let forms: Vec<String> = FAMILIES.iter().map(|family| format!("`{}`", family.form())).collect();
                 write!(to, "there is no method `{name}`; there is {}", forms.join(", "))
             }
-            Self::Budget(text, form) => write!(to, "`{text}` is no budget of `{form}`, in whole numbers above 0"),
+            Self::Budget(text, form) => write!(to, "`{text}` is no budget of `{form}`"),
         }
     }
 }
@@ -133,13 +163,9 @@ impl FromStr for Method {
         };
         let family = FAMILIES.iter().find(|family| family.name == name);
         let family = family.ok_or_else(|| MethodError::Unknown(name.into()))?;
-        // A method that is one of a few is written as it is shown, whatever stands in its brackets.
-        let spelled = |method: &&Method| method.to_string().replace(' ', "") == text.replace(' ', "");
-        let numbers = || {
-            let numbers: Vec<u32> = budget?.split(',').map(|part| part.trim().parse().ok()).collect::<Option<_>>()?;
-            (numbers.len() == family.budget.len()).then(|| (family.with)(&numbers)).flatten()
-        };
-        let method = family.defaults.iter().find(spelled).copied().or_else(numbers);
+        // A method without brackets is one by itself.
+        let spelled = |method: &&Method| method.to_string() == text;
+        let method = family.defaults.iter().find(spelled).copied().or_else(|| (family.with)(budget?));
         let written = text[name.len()..].trim().to_owned();
         method.ok_or_else(|| MethodError::Budget(written, family.form()))
     }
@@ -156,6 +182,9 @@ mod tests {
         }
         assert_eq!(" linear_secant( 64 ) ".parse(), Ok(Method::Linear(64, 0)));
         assert_eq!("linear_binary(7,3)".parse(), Ok(Method::Linear(7, 3)));
+        let switched = Displacement { caps: Some([12, 48]), refines: true, stop: 320, ..Displacement::PUBLISHED };
+        let method = Method::QuadtreeDisplacement(switched);
+        assert_eq!(method.to_string().parse(), Ok(method));
     }
 
     #[test]
@@ -177,7 +206,7 @@ mod tests {
         let said = |text: &str| Method::list(text).unwrap_err().to_string();
         assert!(said("quux").starts_with("there is no method `quux`; there is `maximum_mipmaps`, `walk`, "));
         assert!(said("quux").contains("`linear_binary(STEPS, HALVINGS)`"));
-        let none = |budget: &str, form: &str| format!("`{budget}` is no budget of `{form}`, in whole numbers above 0");
+        let none = |budget: &str, form: &str| format!("`{budget}` is no budget of `{form}`");
         assert_eq!(said("linear_secant(0)"), none("(0)", "linear_secant(STEPS)"));
         assert_eq!(said("linear_secant(4, 5)"), none("(4, 5)", "linear_secant(STEPS)"));
         assert_eq!(said("linear_secant(4"), none("(4", "linear_secant(STEPS)"));

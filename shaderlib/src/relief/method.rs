@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::Bounds;
+use super::{Bounds, Displacement};
 
 /// A way to find the first hit of a ray, and its budget.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -13,6 +13,16 @@ pub enum Method {
     MaximumMipmaps,
     /// `shaderlib/wgsl/relief/linear.wgsl`: steps, and halvings after them; 0 for one secant step (parallax occlusion mapping).
     Linear(u32, u32),
+    /// `shaderlib/wgsl/relief/parallax_offset.wgsl`: a texel is as wide as so many steps are high.
+    ParallaxOffset(u32),
+    /// `shaderlib/wgsl/relief/quadtree_displacement.wgsl`.
+    QuadtreeDisplacement(Displacement),
+    /// `shaderlib/wgsl/relief/quadtree_displacement_repaired.wgsl`.
+    QuadtreeDisplacementRepaired,
+    /// `shaderlib/wgsl/relief/quadtree_relief.wgsl`: the finest level that is read, 0 by the text, 1 by the algorithm.
+    QuadtreeRelief(u32),
+    /// The same made exact.
+    QuadtreeReliefExact,
 }
 
 impl Method {
@@ -22,15 +32,18 @@ impl Method {
     /// Whether it finds the first hit of every ray.
     #[must_use]
     pub fn is_exact(self) -> bool {
-        !matches!(self, Self::Linear(..))
+        self.bounds() == Bounds::CellMax
     }
 
     /// What it knows of the map.
     #[must_use]
     pub fn bounds(self) -> Bounds {
         match self {
-            Self::Walk | Self::MaximumMipmaps => Bounds::CellMax,
-            Self::Linear(..) => Bounds::None,
+            Self::Walk | Self::MaximumMipmaps | Self::QuadtreeDisplacementRepaired | Self::QuadtreeReliefExact => {
+                Bounds::CellMax
+            }
+            Self::QuadtreeDisplacement(_) | Self::QuadtreeRelief(_) => Bounds::TexelMax,
+            Self::Linear(..) | Self::ParallaxOffset(_) => Bounds::None,
         }
     }
 
@@ -44,6 +57,13 @@ impl Method {
             Self::Linear(steps, halvings) => {
                 format!("linear_trace({heights}, {field}, {ray}, {steps}u, {halvings}u)")
             }
+            Self::ParallaxOffset(steep) => format!("parallax_offset_trace({heights}, {field}, {ray}, {steep}.0f)"),
+            Self::QuadtreeDisplacement(switches) => {
+                format!("quadtree_displacement_trace({heights}, {bounds}, {field}, {ray}, {})", switches.wgsl())
+            }
+            Self::QuadtreeDisplacementRepaired => exact("quadtree_displacement_repaired_trace"),
+            Self::QuadtreeRelief(finest) => format!("quadtree_relief_trace({bounds}, {field}, {ray}, {finest}i)"),
+            Self::QuadtreeReliefExact => exact("quadtree_relief_exact_trace"),
         }
     }
 }
@@ -55,6 +75,11 @@ impl fmt::Display for Method {
             Self::MaximumMipmaps => to.write_str("maximum_mipmaps"),
             Self::Linear(steps, 0) => write!(to, "linear_secant({steps})"),
             Self::Linear(steps, halvings) => write!(to, "linear_binary({steps}, {halvings})"),
+            Self::ParallaxOffset(steep) => write!(to, "parallax_offset({steep})"),
+            Self::QuadtreeDisplacement(switches) => write!(to, "quadtree_displacement{switches}"),
+            Self::QuadtreeDisplacementRepaired => to.write_str("quadtree_displacement_repaired"),
+            Self::QuadtreeRelief(finest) => write!(to, "quadtree_relief({finest})"),
+            Self::QuadtreeReliefExact => to.write_str("quadtree_relief_exact"),
         }
     }
 }

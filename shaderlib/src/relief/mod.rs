@@ -4,12 +4,14 @@
 //! level where a shift of its cells finds it (see [`Field::corner`]).
 
 mod atlas;
+mod displacement;
 mod family;
 mod field;
 mod method;
 mod mips;
 mod placed;
 
+pub use displacement::{Displacement, Undefined};
 pub use family::MethodError;
 pub use field::Field;
 pub use method::Method;

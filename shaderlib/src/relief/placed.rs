@@ -13,6 +13,9 @@ pub enum Bounds {
     None,
     /// A quadtree over cells: the largest height of the surface.
     CellMax,
+    /// A quadtree over texels: the largest of them, as Drobot and as Schröders and van Gulik have it. Not of the surface
+    /// between them. A texel's node is where that of the cell is of which it is the first corner.
+    TexelMax,
 }
 
 /// Texels of an image.
@@ -136,25 +139,27 @@ fn mips(texels: Vec<u16>, size: [u32; 2], wraps: bool) -> Vec<Mip> {
 }
 
 fn bounds_of(mips: &[Mip], bounds: Bounds) -> Plane {
-    if bounds == Bounds::None {
-        return Plane { size: [1, 1], words: Words::R16(vec![vec![0]]) };
-    }
+    let bound = match bounds {
+        Bounds::None => return Plane { size: [1, 1], words: Words::R16(vec![vec![0]]) },
+        Bounds::CellMax => Bound::CellMax,
+        Bounds::TexelMax => Bound::TexelMax,
+    };
     let size = atlas::size(mips[0].size);
     let mut image = vec![0; size[0] as usize * size[1] as usize];
     for (index, mip) in mips.iter().enumerate() {
         let top = mip.size[0].min(mip.size[1]).ilog2() as usize;
         let corner = atlas::corner(mips[0].size, index as u32);
-        atlas::write(&mut image, size[0], corner, &quadtree(mip)[..=top]);
+        atlas::write(&mut image, size[0], corner, &quadtree(mip, bound)[..=top]);
     }
     Plane { size, words: Words::R16(vec![image]) }
 }
 
 /// Filled up a map wraps, whatever it did: the nodes behind the border are held against the first column as well, which
 /// bounds them all the same.
-fn quadtree(mip: &Mip) -> Vec<crate::heightfield::pyramid::Level<u16>> {
+fn quadtree(mip: &Mip, bound: Bound) -> Vec<crate::heightfield::pyramid::Level<u16>> {
     let whole = Heights::new(mip.size, Border::Wrap, Texels::U16(mip.texels.clone()))
         .expect("a power of two is in range where no smaller side was beyond it");
-    match Pyramid::new(&whole, Bound::CellMax).into_levels() {
+    match Pyramid::new(&whole, bound).into_levels() {
         Levels::U16(levels) => levels,
         Levels::U8(_) | Levels::F32(_) => unreachable!("a pyramid has the texels of its map"),
     }

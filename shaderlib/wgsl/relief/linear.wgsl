@@ -1,5 +1,10 @@
 //! Linear search with a refinement: so many equal steps along the ray, then the place between the last two. No guarantee:
 //! what is thinner than a step is missed.
+//!
+//! Two things differ from the published secant. The height under the entry is read; listing 1.1, as Tatarchuk's shader, takes
+//! the ray to be on the surface there, and so places what is met in the first step at the entry. And a ray that meets nothing
+//! is a miss, where the listing divides 0 by 0. The number of steps is the caller's: Tatarchuk's grows as the view is more
+//! level. A step reads the four texels of the exact surface, where the published ones read a filtered texture once.
 //! Source: Policarpo, Oliveira and Comba, "Real-Time Relief Mapping on Arbitrary Polygonal Surfaces", I3D 2005 (binary); Tatarchuk, "Dynamic Parallax Occlusion Mapping with Approximate Soft Shadows", I3D 2006, and Drobot, GPU Pro 1, 2010, listing 1.1 (secant).
 
 /// The first hit that linear search finds. `steps` is at least 1; `halvings` is 0 for one secant step, more for binary search.

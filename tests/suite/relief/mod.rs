@@ -1,10 +1,14 @@
 //! Exact relief methods on the device against the reference in f64.
 
+mod defects;
+mod displacement;
+mod scene;
+
 use terrane::relief::{Outcome, Segment, Traced, Tracer, shader};
 use terrane::render::{Gpu, Selection};
 use terrane_shaderlib::heightfield::adversary::{AIMS, Case, Depth, LANDS, Random, Rays, SIZES, map};
 use terrane_shaderlib::heightfield::{Border, Heights, Ray, first_hit};
-use terrane_shaderlib::relief::{Bounds, Method, Placed};
+use terrane_shaderlib::relief::{Bounds, Displacement, Method, Placed};
 
 use crate::skip::Skip;
 use crate::tint::{Module, Tint};
@@ -89,6 +93,16 @@ fn maximum_mipmaps_are_exact() {
 }
 
 #[test]
+fn the_repaired_quadtree_displacement_is_exact() {
+    exact(Method::QuadtreeDisplacementRepaired);
+}
+
+#[test]
+fn the_repaired_quadtree_relief_is_exact() {
+    exact(Method::QuadtreeReliefExact);
+}
+
+#[test]
 fn linear_search_is_not_and_the_judge_sees_it() {
     let Some((count, faults)) = judge(Method::Linear(64, 0), 96, 1) else { return };
     assert!(faults.len() > count / 20, "{} of {count}", faults.len());
@@ -97,7 +111,19 @@ fn linear_search_is_not_and_the_judge_sees_it() {
 #[test]
 fn tint_accepts_every_method() {
     let Ok(mut tint) = Tint::start().map_err(Skip::report) else { return };
-    let methods = [Method::Walk, Method::MaximumMipmaps, Method::Linear(32, 0), Method::Linear(32, 6)];
+    let displacement = Displacement { caps: Some([12, 48]), refines: true, stop: 320, ..Displacement::PUBLISHED };
+    let methods = [
+        Method::Walk,
+        Method::MaximumMipmaps,
+        Method::Linear(32, 0),
+        Method::Linear(32, 6),
+        Method::ParallaxOffset(1280),
+        Method::QuadtreeDisplacement(Displacement::LISTING),
+        Method::QuadtreeDisplacement(displacement),
+        Method::QuadtreeDisplacementRepaired,
+        Method::QuadtreeRelief(0),
+        Method::QuadtreeReliefExact,
+    ];
     let modules = methods.map(|method| Module::with_pipelines(method.to_string(), shader(method)));
     for report in tint.validate(&modules) {
         assert!(report.errors().is_empty(), "{}: {}", report.name, report.errors());
