@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use terrane::file;
-use terrane::measure::{Plan, Row, Subject, built_in, csv, measure, read, table};
+use terrane::measure::{Attack, Plan, Row, Subject, attack, built_in, csv, measure, read, table, verdicts};
 use terrane::render::Progress;
 use terrane_shaderlib::heightfield::Border;
 use terrane_shaderlib::relief::{Bounds, Method, Placed};
@@ -16,6 +16,7 @@ use super::Failure;
   terrane measure
   terrane measure --heightmap rock.png --depth 0.08 -o rock.csv
   terrane measure --side 1024 --elevations 45,20,8,2
+  terrane measure --adversary 100000000
 
 A table goes to stdout. Times are nanoseconds a ray, all cores of the device together, and beside them as a ratio to the
 first method in the same rounds. Errors are texels along the ray, against the reference in f64.")]
@@ -44,6 +45,9 @@ pub(crate) struct Measure {
     /// Comma-separated values with every digit, to this file
     #[arg(short, long, value_name = "CSV")]
     output: Option<PathBuf>,
+    /// Trace so many rays that are made to make exact methods fail, over as many small maps, and report every fault
+    #[arg(long, value_name = "RAYS", conflicts_with_all = ["heightmap", "output"])]
+    adversary: Option<u64>,
     /// The device to trace on: its number, or a part of its name
     #[arg(long, value_name = "NAME")]
     adapter: Option<String>,
@@ -52,6 +56,9 @@ pub(crate) struct Measure {
 impl Measure {
     pub(crate) fn run(self) -> Result<(), Failure> {
         self.validate()?;
+        if let Some(rays) = self.adversary {
+            return self.attack(rays);
+        }
         let subjects = self.subjects()?;
         let gpu = super::render::open(self.adapter.as_deref())?;
         let plan = self.plan();
@@ -64,6 +71,18 @@ impl Measure {
             file::write(path, csv(&rows).as_bytes())?;
         }
         Ok(())
+    }
+
+    fn attack(&self, rays: u64) -> Result<(), Failure> {
+        let gpu = super::render::open(self.adapter.as_deref())?;
+        let methods = self.plan().methods.into_iter().filter(|method| method.is_exact()).collect();
+        let found = attack(&gpu, &Attack { methods, rays, seed: 1 }, Progress::Stderr)?;
+        print!("{}", verdicts(&found));
+        for text in found.iter().flat_map(|verdict| &verdict.first) {
+            eprintln!("{text}");
+        }
+        let faults: u64 = found.iter().map(|verdict| verdict.faults()).sum();
+        if faults > 0 { Err(Failure::Machine(format!("{faults} faults"))) } else { Ok(()) }
     }
 
     fn validate(&self) -> Result<(), Failure> {

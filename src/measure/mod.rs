@@ -6,15 +6,23 @@
 //! outcomes --judge-->  Errors      against `first_hit`
 //! all      --report--> table, CSV
 //! ```
+//!
+//! Exact methods are also attacked: [`attack`] traces as many rays as there is time for, made to make them fail.
 
+mod adversary;
 mod errors;
+mod judge;
 mod report;
 mod run;
+mod spread;
 mod subject;
 mod view;
 
+pub use adversary::{Attack, Verdict, attack, table as verdicts};
 pub use errors::Errors;
+pub use judge::{Fault, Judge};
 pub use report::{csv, table};
 pub use run::{Plan, Row, measure};
+pub use spread::Spread;
 pub use subject::{Subject, SubjectError, built_in, read};
 pub use view::View;

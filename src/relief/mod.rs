@@ -13,5 +13,5 @@ mod texture;
 mod tracer;
 
 pub use setup::Segment;
-pub use shader::shader;
+pub use shader::{shader, tiled_shader};
 pub use tracer::{Outcome, Traced, Tracer};

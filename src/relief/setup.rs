@@ -36,6 +36,8 @@ pub(super) struct Setup {
     scale: f64,
     /// Whether the device's ray ends before that which it stands for: then a miss decides nothing.
     pub(super) is_cut: bool,
+    /// What the device's cells lack of the ray's: whole tiles of a map that wraps.
+    corner: [i64; 2],
 }
 
 /// The part of a range in which a ray is over the map.
@@ -55,6 +57,40 @@ fn domain(heights: &Heights, ray: &Ray, (mut first, mut last): (f64, f64)) -> Op
         (first, last) = (first.max(a.min(b)), last.min(a.max(b)));
     }
     (first <= last).then_some((first, last))
+}
+
+/// One coordinate of a ray's start.
+#[derive(Clone, Copy)]
+struct Place {
+    /// The cell, in the first tile of a map that wraps.
+    cell: i32,
+    /// Where in it, 0..1.
+    inside: f64,
+    /// What the cell lacks: whole tiles.
+    corner: i64,
+}
+
+impl Place {
+    /// At t. The whole texels of the origin stay apart from its fraction: a million tiles away not a bit is lost.
+    fn new(heights: &Heights, ray: &Ray, axis: usize, t: f64) -> Self {
+        let (whole, side) = (ray.origin[axis].floor(), i64::from(heights.cells()[axis]));
+        let way = t.mul_add(ray.direction[axis], ray.origin[axis] - whole);
+        // Positions beyond 2^53 have no cell; no map is traced there.
+        let cell = (whole as i64).saturating_add(way.floor() as i64);
+        let inside = way - way.floor();
+        match heights.border() {
+            Border::Wrap => {
+                let wrapped = cell.rem_euclid(side);
+                Self { cell: wrapped as i32, inside, corner: cell - wrapped }
+            }
+            // Rounding may place it a little outside; there are no cells there.
+            Border::Clamp => {
+                let held = cell.clamp(0, side - 1);
+                let inside = (inside + (cell - held) as f64).clamp(0.0, 1.0);
+                Self { cell: held as i32, inside, corner: 0 }
+            }
+        }
+    }
 }
 
 /// Longest path that a shader is sent on, in texels: whole numbers up to it are exact in f32, with room for a fraction.
@@ -83,26 +119,25 @@ impl Setup {
         // A vertical ray is parametrised by its height, so that nothing overflows.
         let fastest = x.max(y).max(z / f64::from(1 << 17));
         let scale = if fastest > 0.0 { 1.0 / fastest } else { 1.0 };
-        let start = ray.at(first);
-        let cell = [0, 1].map(|axis| match heights.border() {
-            Border::Wrap => start[axis].floor(),
-            // Rounding may place it a little outside; there are no cells there.
-            Border::Clamp => start[axis].floor().clamp(0.0, f64::from(heights.cells()[axis] - 1)),
-        });
-        let inside = [0, 1].map(|axis| (start[axis] - cell[axis]).clamp(0.0, 1.0));
+        let places = [0, 1].map(|axis| Place::new(heights, ray, axis, first));
         let end = (last - first) / scale;
         let device = DeviceRay {
-            cell: cell.map(|cell| cell as i32),
-            origin: [inside[0] as f32, inside[1] as f32, start[2] as f32],
+            cell: places.map(|place| place.cell),
+            origin: [places[0].inside as f32, places[1].inside as f32, ray.at(first)[2] as f32],
             direction: ray.direction.map(|along| (along * scale) as f32),
             end: end.clamp(0.0, LONGEST) as f32,
             ..DeviceRay::default()
         };
-        Self { ray: device, start: first, scale, is_cut: end > LONGEST }
+        Self { ray: device, start: first, scale, is_cut: end > LONGEST, corner: places.map(|place| place.corner) }
     }
 
     /// A t of the ray from one of the device's.
     pub(super) fn t(&self, device: f32) -> f64 {
         self.start + self.scale * f64::from(device)
+    }
+
+    /// A cell of the ray from one of the device's: beyond the first tile it goes on counting.
+    pub(super) fn cell(&self, device: [i32; 2]) -> [i64; 2] {
+        [0, 1].map(|axis| self.corner[axis] + i64::from(device[axis]))
     }
 }

@@ -19,18 +19,61 @@ fn relief_main(@builtin(global_invocation_id) id: vec3u, @builtin(num_workgroups
     let index = id.x + id.y * groups.x * 64u;
     if index < arrayLength(&relief_rays) {
         let stored = relief_rays[index];
-        let ray = ReliefRay(stored.cell, stored.origin, stored.direction, stored.end);
-        relief_hits[index] = CALL;
+        relief_hits[index] = relief_found(ReliefRay(stored.cell, stored.origin, stored.direction, stored.end));
     }
+}
+";
+
+const WHOLE: &str = "
+fn relief_found(ray: ReliefRay) -> ReliefHit {
+    return CALL;
+}
+";
+
+const TILED: &str = "
+fn relief_found(whole: ReliefRay) -> ReliefHit {
+    var part = tiled_first(relief_field, whole);
+    var steps = 0u;
+    var leaves = 0u;
+    loop {
+        let hit = relief_over_tile(part.ray);
+        steps += hit.steps;
+        leaves += hit.leaves;
+        let is_last = part.start + part.ray.end >= whole.end;
+        if hit.state != RELIEF_MISS || is_last || steps >= relief_field.limit {
+            let given_up = hit.state == RELIEF_MISS && !is_last;
+            let state = select(hit.state, RELIEF_UNRESOLVED, given_up);
+            return ReliefHit(part.start + hit.t, state, hit.cell + part.corner, steps, leaves);
+        }
+        part = tiled_next(relief_field, whole, part);
+    }
+}
+
+fn relief_over_tile(ray: ReliefRay) -> ReliefHit {
+    return CALL;
 }
 ";
 
 /// WGSL that traces rays from a buffer by a method: an entry point, and what it needs of the library.
 #[must_use]
 pub fn shader(method: Method) -> String {
+    around(&WHOLE.replace("CALL", &call(method)))
+}
+
+/// The same over a map that is placed to be traced tile by tile.
+#[must_use]
+pub fn tiled_shader(method: Method) -> String {
+    around(&TILED.replace("CALL", &call(method)))
+}
+
+fn call(method: Method) -> String {
+    method.call("relief_heights", "relief_bounds", "relief_field", "ray")
+}
+
+fn around(found: &str) -> String {
     let library =
         Library::load(&mut Sources::default(), &[]).expect("the shipped library is right, which its tests show");
-    let host = HOST.replace("CALL", &method.call("relief_heights", "relief_bounds", "relief_field", "ray"));
+    let host = format!("{HOST}{found}");
     let items = library.closure(&host);
     let declarations = items.iter().map(|item| library.slice(*item).to_owned() + "\n");
     declarations.chain([host.clone()]).collect()

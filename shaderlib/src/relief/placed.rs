@@ -42,6 +42,9 @@ pub struct Placed {
     pub fields: Vec<Field>,
     /// The lowest and the highest height.
     pub range: [f64; 2],
+    /// Whether the map wraps though a side is no power of two: it stands there once, with its first column and row again at its
+    /// end, and has no mips; rays are cut at the borders of its tiles (`wgsl/relief/tiled.wgsl`).
+    pub tiled: bool,
 }
 
 /// Why a map cannot be traced on a device.
@@ -49,17 +52,12 @@ pub struct Placed {
 pub enum Unplaceable {
     /// Its heights are floats; shaders read 16-bit steps.
     Floats,
-    /// It wraps and a side is no power of two.
-    Wrap([u32; 2]),
 }
 
 impl fmt::Display for Unplaceable {
     fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Floats => to.write_str("a map of floats: shaders read steps, quantise it to 16 bits"),
-            Self::Wrap([width, height]) => {
-                write!(to, "a map that wraps and has {width} x {height} texels: sides must be powers of two")
-            }
         }
     }
 }
@@ -84,19 +82,20 @@ impl Placed {
             Texels::F32(_) => return Err(Unplaceable::Floats),
         };
         let size = heights.size();
-        let wraps = heights.border() == Border::Wrap;
-        if wraps && !size.iter().all(|side| side.is_power_of_two()) {
-            return Err(Unplaceable::Wrap(size));
-        }
+        let tiled = heights.border() == Border::Wrap && !size.iter().all(|side| side.is_power_of_two());
+        let wraps = heights.border() == Border::Wrap && !tiled;
         let range = texels
             .iter()
             .fold([f64::MAX, 0.0], |[low, high], height| [low.min(f64::from(*height)), high.max(f64::from(*height))]);
-        let mips = mips(fill(&texels, size, size.map(u32::next_power_of_two)), size.map(u32::next_power_of_two), wraps);
+        // The last texel, which is the first of the next tile where there are tiles.
+        let last = size.map(|side| if tiled { side } else { side - 1 });
+        let filled = last.map(|last| (last + 1).next_power_of_two());
+        let mips = mips(fill(&texels, size, last, filled), filled, wraps);
         let fields = mips.iter().enumerate().map(|(mip, one)| {
             let sides = one.size.map(|side| side as i32 - 1);
             Field {
                 wrap: if wraps { sides } else { [-1; 2] },
-                last: if wraps { sides } else { size.map(|side| side as i32 - 1) },
+                last: if wraps { sides } else { last.map(|last| last as i32) },
                 corner: atlas::corner(mips[0].size, mip as u32).map(|at| at as i32),
                 top: one.size[0].min(one.size[1]).ilog2() as i32,
                 limit,
@@ -107,7 +106,7 @@ impl Placed {
         let fields = fields.collect();
         let bounds = bounds_of(&mips, bounds);
         let heights = Plane { size: mips[0].size, words: Words::R16(mips.into_iter().map(|mip| mip.texels).collect()) };
-        Ok(Self { heights, bounds, fields, range })
+        Ok(Self { heights, bounds, fields, range, tiled })
     }
 }
 
@@ -150,9 +149,10 @@ fn quadtree(mip: &Mip) -> Vec<crate::heightfield::pyramid::Level<u16>> {
     }
 }
 
-/// The last column and the last row again, as often as it takes.
-fn fill(values: &[u16], size: [u32; 2], wanted: [u32; 2]) -> Vec<u16> {
-    let [width, height] = size.map(|side| side as usize);
-    let rows = (0..wanted[1] as usize).map(|y| &values[y.min(height - 1) * width..][..width]);
-    rows.flat_map(|row| (0..wanted[0] as usize).map(move |x| row[x.min(width - 1)])).collect()
+/// The texels up to the last, those beyond the map being its first ones, and from there on the last again.
+fn fill(values: &[u16], size: [u32; 2], last: [u32; 2], wanted: [u32; 2]) -> Vec<u16> {
+    let source = |axis: usize, at: u32| (at.min(last[axis]) % size[axis]) as usize;
+    let columns: Vec<usize> = (0..wanted[0]).map(|x| source(0, x)).collect();
+    let rows = (0..wanted[1]).map(|y| &values[source(1, y) * size[0] as usize..][..size[0] as usize]);
+    rows.flat_map(|row| columns.iter().map(|x| row[*x])).collect()
 }
