@@ -4,14 +4,17 @@
 //! Heights --Placed--> textures      the map and its bounds: `terrane_shaderlib::relief`
 //! Segment --Setup---> DeviceRay     cut to where the ground can be, in f32 from a whole cell
 //! Method  --Tracer--> Traced        WGSL of the library around one entry point
+//! Heights --Built---> textures      the same as `Placed`, made on the device
 //! ```
 
+mod build;
 mod clock;
 mod setup;
 mod shader;
 mod texture;
 mod tracer;
 
-pub use setup::Segment;
+pub use build::Built;
+pub use setup::{DeviceRay, Segment, Setup};
 pub use shader::{shader, tiled_shader};
 pub use tracer::{Outcome, Traced, Tracer};

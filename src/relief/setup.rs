@@ -16,26 +16,31 @@ pub struct Segment {
 
 /// `ReliefRay` of shaderlib/wgsl/relief/relief.wgsl in a storage buffer.
 #[repr(C)]
-#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
-pub(super) struct DeviceRay {
-    cell: [i32; 2],
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct DeviceRay {
+    /// The cell that it starts in, in the first tile of a map that wraps.
+    pub cell: [i32; 2],
     unused: [i32; 2],
-    origin: [f32; 3],
+    /// Where in that cell, 0..1; z in steps.
+    pub origin: [f32; 3],
     unused_too: f32,
-    direction: [f32; 3],
-    end: f32,
+    /// How far 1 of t leads.
+    pub direction: [f32; 3],
+    /// The ray is looked at for t in 0..end.
+    pub end: f32,
 }
 
 /// A ray ready for the device, and the way back.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Setup {
-    pub(super) ray: DeviceRay,
+pub struct Setup {
+    /// What the device gets.
+    pub ray: DeviceRay,
     /// t of the ray where that of the device is 0.
     start: f64,
     /// t of the ray for 1 of the device's.
     scale: f64,
     /// Whether the device's ray ends before that which it stands for: then a miss decides nothing.
-    pub(super) is_cut: bool,
+    pub is_cut: bool,
     /// What the device's cells lack of the ray's: whole tiles of a map that wraps.
     corner: [i64; 2],
 }
@@ -99,7 +104,8 @@ const LONGEST: f64 = 65_536.0;
 impl Setup {
     /// The part of a ray inside the map's box and a range of t; `None` if there is none. `range` is lowest and highest
     /// height.
-    pub(super) fn new(heights: &Heights, [low, high]: [f64; 2], Segment { ray, range }: &Segment) -> Option<Self> {
+    #[must_use]
+    pub fn new(heights: &Heights, [low, high]: [f64; 2], Segment { ray, range }: &Segment) -> Option<Self> {
         let (first, last) = domain(heights, ray, *range)?;
         let (at, along) = (ray.origin[2], ray.direction[2]);
         // A step more than the heights: rounding must not cut off what touches the highest or the lowest.
@@ -132,12 +138,14 @@ impl Setup {
     }
 
     /// A t of the ray from one of the device's.
-    pub(super) fn t(&self, device: f32) -> f64 {
+    #[must_use]
+    pub fn t(&self, device: f32) -> f64 {
         self.start + self.scale * f64::from(device)
     }
 
     /// A cell of the ray from one of the device's: beyond the first tile it goes on counting.
-    pub(super) fn cell(&self, device: [i32; 2]) -> [i64; 2] {
+    #[must_use]
+    pub fn cell(&self, device: [i32; 2]) -> [i64; 2] {
         [0, 1].map(|axis| self.corner[axis] + i64::from(device[axis]))
     }
 }

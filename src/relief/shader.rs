@@ -8,7 +8,7 @@ use crate::render::Gpu;
 
 const HOST: &str = "
 struct ReliefStored { cell: vec2i, origin: vec3f, direction: vec3f, end: f32 }
-@group(0) @binding(0) var<uniform> relief_field: ReliefField;
+@group(0) @binding(0) var<uniform> relief_uniform: ReliefField;
 @group(0) @binding(1) var<storage, read> relief_rays: array<ReliefStored>;
 @group(0) @binding(2) var<storage, read_write> relief_hits: array<ReliefHit>;
 @group(0) @binding(3) var relief_heights: texture_2d_array<u32>;
@@ -19,24 +19,25 @@ fn relief_main(@builtin(global_invocation_id) id: vec3u, @builtin(num_workgroups
     let index = id.x + id.y * groups.x * 64u;
     if index < arrayLength(&relief_rays) {
         let stored = relief_rays[index];
-        relief_hits[index] = relief_found(ReliefRay(stored.cell, stored.origin, stored.direction, stored.end));
+        let ray = ReliefRay(stored.cell, stored.origin, stored.direction, stored.end);
+        relief_hits[index] = relief_found(relief_uniform, ray);
     }
 }
 ";
 
 const WHOLE: &str = "
-fn relief_found(ray: ReliefRay) -> ReliefHit {
+fn relief_found(relief_field: ReliefField, ray: ReliefRay) -> ReliefHit {
     return CALL;
 }
 ";
 
 const TILED: &str = "
-fn relief_found(whole: ReliefRay) -> ReliefHit {
+fn relief_found(relief_field: ReliefField, whole: ReliefRay) -> ReliefHit {
     var part = tiled_first(relief_field, whole);
     var steps = 0u;
     var leaves = 0u;
     loop {
-        let hit = relief_over_tile(part.ray);
+        let hit = relief_over_tile(relief_field, part.ray);
         steps += hit.steps;
         leaves += hit.leaves;
         let is_last = part.start + part.ray.end >= whole.end;
@@ -49,12 +50,13 @@ fn relief_found(whole: ReliefRay) -> ReliefHit {
     }
 }
 
-fn relief_over_tile(ray: ReliefRay) -> ReliefHit {
+fn relief_over_tile(relief_field: ReliefField, ray: ReliefRay) -> ReliefHit {
     return CALL;
 }
 ";
 
-/// WGSL that traces rays from a buffer by a method: an entry point, and what it needs of the library.
+/// WGSL that traces rays from a buffer by a method: an entry point, and what it needs of the library. What it calls for each
+/// ray is `relief_found(field, ray)`, with the textures `relief_heights` and `relief_bounds`.
 #[must_use]
 pub fn shader(method: Method) -> String {
     around(&WHOLE.replace("CALL", &call(method)))

@@ -4,11 +4,14 @@
 //! level where a shift of its cells finds it (see [`Field::corner`]).
 
 mod atlas;
+mod dirty;
 mod field;
 mod method;
 mod mips;
 mod placed;
+mod update;
 
+pub use dirty::{Extent, Region, halved};
 pub use field::Field;
 pub use method::Method;
 pub use placed::{Bounds, Placed, Plane, Unplaceable, Words};

@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-use super::{Field, atlas, mips};
+use super::dirty::Extent;
+use super::{Field, atlas, mips, update};
 use crate::heightfield::pyramid::{Bound, Levels, Pyramid};
 use crate::heightfield::{Border, Heights, Texels};
 
@@ -81,21 +82,15 @@ impl Placed {
             Texels::U16(values) => values.clone(),
             Texels::F32(_) => return Err(Unplaceable::Floats),
         };
-        let size = heights.size();
-        let tiled = heights.border() == Border::Wrap && !size.iter().all(|side| side.is_power_of_two());
-        let wraps = heights.border() == Border::Wrap && !tiled;
-        let range = texels
-            .iter()
-            .fold([f64::MAX, 0.0], |[low, high], height| [low.min(f64::from(*height)), high.max(f64::from(*height))]);
-        // The last texel, which is the first of the next tile where there are tiles.
-        let last = size.map(|side| if tiled { side } else { side - 1 });
-        let filled = last.map(|last| (last + 1).next_power_of_two());
-        let mips = mips(fill(&texels, size, last, filled), filled, wraps);
+        let extent = Extent::new(heights);
+        let (tiled, wraps) = (extent.is_tiled(), heights.border() == Border::Wrap && !extent.is_tiled());
+        let range = update::range(&texels);
+        let mips = mips(fill(&texels, &extent), extent.filled, wraps);
         let fields = mips.iter().enumerate().map(|(mip, one)| {
             let sides = one.size.map(|side| side as i32 - 1);
             Field {
                 wrap: if wraps { sides } else { [-1; 2] },
-                last: if wraps { sides } else { last.map(|last| last as i32) },
+                last: extent.last.map(|last| (last >> mip) as i32),
                 corner: atlas::corner(mips[0].size, mip as u32).map(|at| at as i32),
                 top: one.size[0].min(one.size[1]).ilog2() as i32,
                 limit,
@@ -149,10 +144,10 @@ fn quadtree(mip: &Mip) -> Vec<crate::heightfield::pyramid::Level<u16>> {
     }
 }
 
-/// The texels up to the last, those beyond the map being its first ones, and from there on the last again.
-fn fill(values: &[u16], size: [u32; 2], last: [u32; 2], wanted: [u32; 2]) -> Vec<u16> {
-    let source = |axis: usize, at: u32| (at.min(last[axis]) % size[axis]) as usize;
-    let columns: Vec<usize> = (0..wanted[0]).map(|x| source(0, x)).collect();
-    let rows = (0..wanted[1]).map(|y| &values[source(1, y) * size[0] as usize..][..size[0] as usize]);
+/// The texels of the first mip.
+fn fill(values: &[u16], extent: &Extent) -> Vec<u16> {
+    let columns: Vec<usize> = (0..extent.filled[0]).map(|x| extent.source(0, x) as usize).collect();
+    let width = extent.size[0] as usize;
+    let rows = (0..extent.filled[1]).map(|y| &values[extent.source(1, y) as usize * width..][..width]);
     rows.flat_map(|row| columns.iter().map(|x| row[*x])).collect()
 }

@@ -1,5 +1,9 @@
 //! Exact relief methods on the device against the reference in f64.
 
+mod build;
+mod machine;
+mod metamorphic;
+
 use terrane::measure::Judge;
 use terrane::relief::{Segment, Traced, Tracer, shader, tiled_shader};
 use terrane::render::{Gpu, Selection};
