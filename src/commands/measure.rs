@@ -6,7 +6,7 @@ use terrane::file;
 use terrane::measure::{Attack, Plan, Row, Subject, attack, built_in, csv, measure, read, table, verdicts};
 use terrane::render::Progress;
 use terrane_shaderlib::heightfield::Border;
-use terrane_shaderlib::relief::{Bounds, Method, Placed};
+use terrane_shaderlib::relief::Method;
 
 use super::Failure;
 
@@ -107,8 +107,6 @@ impl Measure {
         let border = if self.clamp { Border::Clamp } else { Border::Wrap };
         let usage = |error: &dyn std::fmt::Display| Failure::Usage(format!("{}: {error}", path.display()));
         let subject = read(path, border).map_err(|error| usage(&error))?;
-        Placed::new(&subject.heights, Bounds::None, 1)
-            .map_err(|error| usage(&format!("{error}, or give --clamp if it does not tile")))?;
         Ok(vec![subject])
     }
 

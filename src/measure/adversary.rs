@@ -5,11 +5,11 @@ use std::fmt::Write as _;
 use rayon::prelude::*;
 use terrane_shaderlib::heightfield::adversary::{AIMS, Depth, LANDS, Land, Random, Rays, SIZES, map};
 use terrane_shaderlib::heightfield::{Border, Heights};
-use terrane_shaderlib::relief::Placed;
+use terrane_shaderlib::relief::{Method, Placed};
 
 use super::judge::Judge;
 use super::spread::Spread;
-use crate::relief::{Method, Outcome, Segment, Traced, Tracer};
+use crate::relief::{Outcome, Segment, Traced, Tracer};
 use crate::render::{Gpu, Progress, RenderError};
 
 /// What is traced.

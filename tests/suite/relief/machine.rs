@@ -2,11 +2,11 @@
 
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 use terrane::measure::Judge;
-use terrane::relief::{Method, Outcome, Segment, Setup, Traced, Tracer, shader, tiled_shader};
+use terrane::relief::{Outcome, Segment, Setup, Traced, Tracer, shader, tiled_shader};
 use terrane_codegen::machine::domain::Cell;
 use terrane_codegen::machine::{Count, Domain, F32, F64, Load, Machine, Sample, Textures, Value};
 use terrane_shaderlib::heightfield::Heights;
-use terrane_shaderlib::relief::{Field, Placed, Plane, Words};
+use terrane_shaderlib::relief::{Field, Method, Placed, Plane, Words};
 
 use super::{LIMIT, device, lands};
 
@@ -90,7 +90,7 @@ impl Shaders {
 /// `ReliefField`.
 fn field<D: Domain>(field: &Field) -> Value<D> {
     let pairs = [field.wrap, field.last, field.corner].map(|pair| Value::integers(&[pair]));
-    let rest = [Value::i32(&[field.top]), Value::u32(&[field.limit]), Value::i32(&[field.mip])];
+    let rest = [Value::i32(&[field.top]), Value::u32(&[field.limit]), Value::integers(&[[field.mip, field.layer]])];
     Value::join(pairs.into_iter().chain(rest))
 }
 

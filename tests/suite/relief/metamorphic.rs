@@ -1,11 +1,11 @@
 //! What must not change an outcome: a symmetry of map and ray, whole tiles, the level that a search starts at, the method.
 
 use terrane::measure::Judge;
-use terrane::relief::{Method, Outcome, Segment, Traced, Tracer};
+use terrane::relief::{Outcome, Segment, Traced, Tracer};
 use terrane::render::Gpu;
 use terrane_shaderlib::heightfield::adversary::{Depth, Land, map};
 use terrane_shaderlib::heightfield::{Border, Heights, Ray, Texels};
-use terrane_shaderlib::relief::Placed;
+use terrane_shaderlib::relief::{Method, Placed};
 
 use super::{LIMIT, device, lands};
 
