@@ -34,6 +34,8 @@ pub struct Verdict {
     pub hits: u64,
     /// Those of each kind of [`Fault`](super::Fault), in its order.
     pub by_fault: [u64; 4],
+    /// Those that would be faults, but for a ray beside this one by no more than f32 lacks: see [`Judge::is_beside`].
+    pub beside: u64,
     /// Right hits that are more than a texel from the true one: the ray passes a place so closely that a step of height decides.
     pub elsewhere: u64,
     /// Texels between the other hits and the true ones, without rays that graze.
@@ -145,7 +147,7 @@ fn judge(batch: &Batch, traced: &[Vec<Traced>], before: &[Verdict]) -> Vec<Verdi
 impl Verdict {
     fn new(method: Method) -> Self {
         let distances = Spread::default();
-        Self { method, rays: 0, hits: 0, by_fault: [0; 4], elsewhere: 0, distances, first: Vec::new() }
+        Self { method, rays: 0, hits: 0, by_fault: [0; 4], beside: 0, elsewhere: 0, distances, first: Vec::new() }
     }
 
     /// All that is wrong.
@@ -158,6 +160,10 @@ impl Verdict {
         self.rays += 1;
         self.hits += u64::from(matches!(traced.outcome, Outcome::Hit(_)));
         if let Some(fault) = judge.fault(traced) {
+            if judge.is_beside(traced) {
+                self.beside += 1;
+                return;
+            }
             self.by_fault[fault as usize] += 1;
             self.tell(&[format!("{}: {fault:?}: {}", self.method, judge.describe(traced))]);
             return;
@@ -172,6 +178,7 @@ impl Verdict {
     fn join(&mut self, more: &Self) {
         self.rays += more.rays;
         self.hits += more.hits;
+        self.beside += more.beside;
         self.elsewhere += more.elsewhere;
         self.by_fault.iter_mut().zip(more.by_fault).for_each(|(count, more)| *count += more);
         self.distances.join(&more.distances);
@@ -187,12 +194,13 @@ impl Verdict {
 /// The verdicts as a table. Distances are texels.
 #[must_use]
 pub fn table(verdicts: &[Verdict]) -> String {
-    let head = ["rays", "hits", "unresolved", "missed", "early", "late", "elsewhere", "p99.9", "max"];
+    let head = ["rays", "hits", "unresolved", "missed", "early", "late", "beside", "elsewhere", "p99.9", "max"];
     let mut text = format!("{:24}", "method") + &head.map(|name| format!(" {name:>11}")).concat() + "\n";
     for verdict in verdicts {
-        let Verdict { method, rays, hits, by_fault: [given_up, missed, early, late], elsewhere, distances, .. } =
-            verdict;
-        let counts = [*rays, *hits, *given_up, *missed, *early, *late, *elsewhere];
+        let Verdict {
+            method, rays, hits, by_fault: [given_up, missed, early, late], beside, elsewhere, distances, ..
+        } = verdict;
+        let counts = [*rays, *hits, *given_up, *missed, *early, *late, *beside, *elsewhere];
         let counts = counts.map(|count| format!(" {count:>11}")).concat();
         let errors = [distances.quantile(0.999), distances.max()].map(|error| format!(" {error:>11.1e}")).concat();
         // Writing to a string cannot fail.

@@ -45,19 +45,36 @@ impl<'a> Judge<'a> {
     #[must_use]
     pub fn fault(&self, traced: &Traced) -> Option<Fault> {
         let slack = self.slack();
-        // Whatever is near the true hit lies between the two, and needs no more rays.
         match (traced.outcome, self.truth) {
-            (Outcome::Hit(t), Some(hit)) if (t - hit.t).abs() <= slack => return None,
-            (Outcome::Miss, None) => return None,
-            _ => {}
+            // Whatever is near the true hit lies between the two, and needs no more rays.
+            (Outcome::Hit(t), Some(hit)) if (t - hit.t).abs() <= slack => None,
+            (Outcome::Miss, None) => None,
+            _ => self.fault_beside(traced, 0.0),
         }
-        let step = step(self.heights);
-        let (lower, higher) = (self.first_hit(-step), self.first_hit(step));
+    }
+
+    /// Whether a fault is none of a ray that runs beside this one by no more than positions in f32 lack after its path, which
+    /// docs/relief/proof.md derives: that is all that a shader can be asked for along walls.
+    #[must_use]
+    pub fn is_beside(&self, traced: &Traced) -> bool {
+        let (first, last) = self.segment.range;
+        let t = if let Outcome::Hit(t) = traced.outcome { t } else { last };
+        let texels = (t - first) * self.fastest();
+        self.fault_beside(traced, (7.0 * texels + 13.0) / 16_777_216.0).is_none()
+    }
+
+    /// As [`Self::fault`], but the ray may run so many texels to the left or to the right.
+    fn fault_beside(&self, traced: &Traced, texels: f64) -> Option<Fault> {
+        let (slack, step) = (self.slack(), step(self.heights));
+        let sides = if texels > 0.0 { &[0.0, 1.0, -1.0][..] } else { &[0.0] };
+        let hits = |steps: f64| sides.iter().map(move |side| self.first_hit(side * texels, steps).map(|hit| hit.t));
+        let lower = hits(-step).flatten().reduce(f64::min);
+        let higher = hits(step).reduce(|a, b| a.zip(b).map(|(a, b)| a.max(b))).flatten();
         match traced.outcome {
             Outcome::Unresolved => Some(Fault::Unresolved),
-            Outcome::Miss => higher.is_some_and(|hit| hit.t < self.segment.range.1 - slack).then_some(Fault::Missed),
-            Outcome::Hit(t) if lower.is_none_or(|hit| t < hit.t - slack) => Some(Fault::Early),
-            Outcome::Hit(t) if higher.is_some_and(|hit| t > hit.t + slack) => Some(Fault::Late),
+            Outcome::Miss => higher.is_some_and(|t| t < self.segment.range.1 - slack).then_some(Fault::Missed),
+            Outcome::Hit(t) if lower.is_none_or(|lower| t < lower - slack) => Some(Fault::Early),
+            Outcome::Hit(t) if higher.is_some_and(|higher| t > higher + slack) => Some(Fault::Late),
             Outcome::Hit(_) => None,
         }
     }
@@ -82,17 +99,18 @@ impl<'a> Judge<'a> {
     #[must_use]
     pub fn describe(&self, traced: &Traced) -> String {
         let step = step(self.heights);
-        let (lower, higher) = (self.first_hit(-step), self.first_hit(step));
+        let (lower, higher) = (self.first_hit(0.0, -step), self.first_hit(0.0, step));
         let (size, border) = (self.heights.size(), self.heights.border());
         let Segment { ray, range } = self.segment;
         format!("{traced:?}, lower {lower:?}, higher {higher:?}, {ray:?} {range:?}, {size:?} {border:?}")
     }
 
-    /// The first hit of the ray, so many steps higher.
-    fn first_hit(&self, steps: f64) -> Option<Hit> {
+    /// The first hit of the ray, so many texels to the left and so many steps higher.
+    fn first_hit(&self, left: f64, steps: f64) -> Option<Hit> {
         let Segment { ray, range } = self.segment;
-        let [x, y, z] = ray.origin;
-        first_hit(self.heights, &Ray { origin: [x, y, z + steps], ..ray }, range)
+        let ([x, y, z], [dx, dy, _]) = (ray.origin, ray.direction);
+        let unit = left / dx.hypot(dy).max(f64::MIN_POSITIVE);
+        first_hit(self.heights, &Ray { origin: [x - unit * dy, y + unit * dx, z + steps], ..ray }, range)
     }
 
     /// Texels on the ray's faster axis for 1 of t; for a vertical ray 2^-17 of its steps.

@@ -34,20 +34,21 @@ fn relief_found(relief_field: ReliefField, ray: ReliefRay) -> ReliefHit {
 const TILED: &str = "
 fn relief_found(relief_field: ReliefField, whole: ReliefRay) -> ReliefHit {
     var part = tiled_first(relief_field, whole);
+    var hit: ReliefHit;
     var steps = 0u;
     var leaves = 0u;
     loop {
-        let hit = relief_over_tile(relief_field, part.ray);
+        hit = relief_over_tile(relief_field, part.ray);
         steps += hit.steps;
         leaves += hit.leaves;
         let is_last = part.start + part.ray.end >= whole.end;
         if hit.state != RELIEF_MISS || is_last || steps >= relief_field.limit {
-            let given_up = hit.state == RELIEF_MISS && !is_last;
-            let state = select(hit.state, RELIEF_UNRESOLVED, given_up);
-            return ReliefHit(part.start + hit.t, state, hit.cell + part.corner, steps, leaves);
+            hit.state = select(hit.state, RELIEF_UNRESOLVED, hit.state == RELIEF_MISS && !is_last);
+            break;
         }
         part = tiled_next(relief_field, whole, part);
     }
+    return ReliefHit(part.start + hit.t, hit.state, hit.cell + part.corner, steps, leaves);
 }
 
 fn relief_over_tile(relief_field: ReliefField, ray: ReliefRay) -> ReliefHit {
