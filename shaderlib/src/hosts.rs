@@ -33,6 +33,10 @@ pub const WGPU_SKY: &[SourceFile] = &[host!("wgpu/view.wgsl"), host!("wgpu/sky.w
 /// The renderer's own: from radiance to a picture. Entry points `resolve_vertex` and `resolve_fragment`.
 pub const WGPU_RESOLVE: &[SourceFile] = &[host!("wgpu/resolve.wgsl")];
 
+/// Relief's own: bounds and mips of a height map, made on the device. Entry points `build_vertex`, and `build_fill`, `build_mip`,
+/// `build_cells` and `build_nodes` for one level each.
+pub const WGPU_RELIEF_BUILD: &[SourceFile] = &[host!("relief/build.wgsl")];
+
 /// The files of a host, joined.
 #[must_use]
 pub fn join(files: &[SourceFile]) -> String {

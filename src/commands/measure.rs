@@ -5,8 +5,10 @@ mod output;
 use std::path::PathBuf;
 
 use terrane::file;
-use terrane::measure::{BuiltIn, MAPS, Plan, Row, Subject, csv, measure, pyramids, pyramids_csv, pyramids_table};
-use terrane::measure::{read, recommend, table};
+use terrane::measure::{
+    Attack, BuiltIn, MAPS, Plan, Row, Subject, csv, measure, pyramids, pyramids_csv, pyramids_table,
+};
+use terrane::measure::{attack, read, recommend, table, verdicts};
 use terrane::relief::Timing;
 use terrane::render::{Gpu, Progress, Selection};
 use terrane_codegen::graph::nearest;
@@ -22,6 +24,7 @@ use super::Failure;
   terrane measure --heightmap rock.png --depths 0.08 --max-error 0.5 -o rock.csv
   terrane measure --maps bricks,noise --methods \"walk,linear_secant(64)\" --elevations 20,2
   terrane measure --pyramids --sides 1024,4096
+  terrane measure --adversary 100000000
 
 Tables go to stdout. With -o rock.csv, plots of error against time and against loads stand beside it: rock_time.svg,
 rock_time.png, rock_loads.svg, rock_loads.png. A time is nanoseconds a ray: what the processor spends on all cores of a
@@ -63,6 +66,9 @@ pub(crate) struct Measure {
     /// Comma-separated values with every digit, to this file, and plots beside it
     #[arg(short, long, value_name = "CSV")]
     output: Option<PathBuf>,
+    /// Trace so many rays that are made to make exact methods fail, over as many small maps, and report every fault
+    #[arg(long, value_name = "RAYS", conflicts_with_all = ["heightmap", "output"])]
+    adversary: Option<u64>,
     /// The device to trace on: its number, or a part of its name
     #[arg(long, value_name = "NAME")]
     adapter: Option<String>,
@@ -110,6 +116,9 @@ impl Measure {
         if self.pyramids {
             return self.report_pyramids();
         }
+        if let Some(rays) = self.adversary {
+            return self.attack(rays);
+        }
         let own = self.heightmap.as_ref().map(|_| self.own()).transpose()?;
         let gpu = Gpu::measuring(&self.adapter.as_deref().map_or(Selection::Best, Selection::parse))?;
         eprintln!("device: {}, time: {}", gpu.name(), Timing::of(&gpu));
@@ -123,6 +132,18 @@ impl Measure {
             Some(path) => output::write(path, &rows),
             None => Ok(()),
         }
+    }
+
+    fn attack(&self, rays: u64) -> Result<(), Failure> {
+        let gpu = super::render::open(self.adapter.as_deref())?;
+        let methods = self.plan().methods.into_iter().filter(|method| method.is_exact()).collect();
+        let found = attack(&gpu, &Attack { methods, rays, seed: 1 }, Progress::Stderr)?;
+        print!("{}", verdicts(&found));
+        for text in found.iter().flat_map(|verdict| &verdict.first) {
+            eprintln!("{text}");
+        }
+        let faults: u64 = found.iter().map(|verdict| verdict.faults()).sum();
+        if faults > 0 { Err(Failure::Machine(format!("{faults} faults"))) } else { Ok(()) }
     }
 
     fn print_recommendation(&self, rows: &[Row]) {
@@ -161,8 +182,7 @@ impl Measure {
         let border = if self.clamp { Border::Clamp } else { Border::Wrap };
         let usage = |error: &dyn std::fmt::Display| Failure::Usage(format!("{}: {error}", path.display()));
         let subject = read(path, border).map_err(|error| usage(&error))?;
-        Placed::new(&subject.heights, Bounds::None, 1)
-            .map_err(|error| usage(&format!("{error}, or give --clamp if it does not tile")))?;
+        Placed::new(&subject.heights, Bounds::None, 1).map_err(|error| usage(&error))?;
         Ok(subject)
     }
 
@@ -173,7 +193,7 @@ impl Measure {
             depths: self.depths.clone(),
             size: self.size,
             rounds: self.rounds,
-            limit: 1 << 16,
+            limit: 1 << 15,
         }
     }
 }

@@ -138,7 +138,7 @@ mod tests {
     }
 
     fn traced(outcome: Outcome) -> Traced {
-        Traced { outcome, steps: 1, leaves: 1 }
+        Traced { outcome, cell: [0; 2], steps: 1, leaves: 1 }
     }
 
     #[test]

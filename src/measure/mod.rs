@@ -8,8 +8,13 @@
 //! rows     --plot-->    SVG, PNG        error against time, and against loads
 //! rows     --recommend-->  a sentence   the fastest that is good enough
 //! ```
+//!
+//! Exact methods are also attacked: [`attack`] traces as many rays as there is time for, made to make them fail.
 
+mod adversary;
 mod errors;
+mod histogram;
+mod judge;
 mod maps;
 mod plot;
 mod pyramids;
@@ -22,7 +27,10 @@ mod subject;
 mod times;
 mod view;
 
+pub use adversary::{Attack, Verdict, attack, table as verdicts};
 pub use errors::{Errors, Spread};
+pub use histogram::Histogram;
+pub use judge::{Fault, Judge};
 pub use maps::{BuiltIn, MAPS, UnknownMap};
 pub use plot::{Cost, Plot, PlotError};
 pub use pyramids::{Built, pyramids, pyramids_csv, pyramids_table};

@@ -4,15 +4,18 @@
 //! Heights --Placed--> textures      the map and its bounds: `terrane_shaderlib::relief`
 //! Segment --Setup---> DeviceRay     cut to where the ground can be, in f32 from a whole cell
 //! Method  --Tracer--> Traced        WGSL of the library around one entry point
+//! Heights --Built---> textures      the same as `Placed`, made on the device
 //! ```
 
+mod build;
 mod clock;
 mod setup;
 mod shader;
 mod texture;
 mod tracer;
 
+pub use build::Built;
 pub use clock::Timing;
-pub use setup::Segment;
-pub use shader::shader;
+pub use setup::{DeviceRay, Segment, Setup};
+pub use shader::{shader, tiled_shader};
 pub use tracer::{Outcome, Traced, Tracer};

@@ -16,26 +16,33 @@ pub struct Segment {
 
 /// `ReliefRay` of shaderlib/wgsl/relief/relief.wgsl in a storage buffer.
 #[repr(C)]
-#[derive(Clone, Copy, Debug, Default, Pod, Zeroable)]
-pub(super) struct DeviceRay {
-    cell: [i32; 2],
+#[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
+pub struct DeviceRay {
+    /// The cell that it starts in, in the first tile of a map that wraps.
+    pub cell: [i32; 2],
     unused: [i32; 2],
-    origin: [f32; 3],
+    /// Where in that cell, 0..1; z in steps.
+    pub origin: [f32; 3],
     unused_too: f32,
-    direction: [f32; 3],
-    end: f32,
+    /// How far 1 of t leads.
+    pub direction: [f32; 3],
+    /// The ray is looked at for t in 0..end.
+    pub end: f32,
 }
 
 /// A ray ready for the device, and the way back.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Setup {
-    pub(super) ray: DeviceRay,
+pub struct Setup {
+    /// What the device gets.
+    pub ray: DeviceRay,
     /// t of the ray where that of the device is 0.
     start: f64,
     /// t of the ray for 1 of the device's.
     scale: f64,
     /// Whether the device's ray ends before that which it stands for: then a miss decides nothing.
-    pub(super) is_cut: bool,
+    pub is_cut: bool,
+    /// What the device's cells lack of the ray's: whole tiles of a map that wraps.
+    corner: [i64; 2],
 }
 
 /// The part of a range in which a ray is over the map.
@@ -57,13 +64,48 @@ fn domain(heights: &Heights, ray: &Ray, (mut first, mut last): (f64, f64)) -> Op
     (first <= last).then_some((first, last))
 }
 
+/// One coordinate of a ray's start.
+#[derive(Clone, Copy)]
+struct Place {
+    /// The cell, in the first tile of a map that wraps.
+    cell: i32,
+    /// Where in it, 0..1.
+    inside: f64,
+    /// What the cell lacks: whole tiles.
+    corner: i64,
+}
+
+impl Place {
+    /// At t. The whole texels of the origin stay apart from its fraction: a million tiles away not a bit is lost.
+    fn new(heights: &Heights, ray: &Ray, axis: usize, t: f64) -> Self {
+        let (whole, side) = (ray.origin[axis].floor(), i64::from(heights.cells()[axis]));
+        let way = t.mul_add(ray.direction[axis], ray.origin[axis] - whole);
+        // Positions beyond 2^53 have no cell; no map is traced there.
+        let cell = (whole as i64).saturating_add(way.floor() as i64);
+        let inside = way - way.floor();
+        match heights.border() {
+            Border::Wrap => {
+                let wrapped = cell.rem_euclid(side);
+                Self { cell: wrapped as i32, inside, corner: cell - wrapped }
+            }
+            // Rounding may place it a little outside; there are no cells there.
+            Border::Clamp => {
+                let held = cell.clamp(0, side - 1);
+                let inside = (inside + (cell - held) as f64).clamp(0.0, 1.0);
+                Self { cell: held as i32, inside, corner: 0 }
+            }
+        }
+    }
+}
+
 /// Longest path that a shader is sent on, in texels: whole numbers up to it are exact in f32, with room for a fraction.
 const LONGEST: f64 = 65_536.0;
 
 impl Setup {
     /// The part of a ray inside the map's box and a range of t; `None` if there is none. `range` is lowest and highest
     /// height.
-    pub(super) fn new(heights: &Heights, [low, high]: [f64; 2], Segment { ray, range }: &Segment) -> Option<Self> {
+    #[must_use]
+    pub fn new(heights: &Heights, [low, high]: [f64; 2], Segment { ray, range }: &Segment) -> Option<Self> {
         let (first, last) = domain(heights, ray, *range)?;
         let (at, along) = (ray.origin[2], ray.direction[2]);
         // A step more than the heights: rounding must not cut off what touches the highest or the lowest.
@@ -83,26 +125,27 @@ impl Setup {
         // A vertical ray is parametrised by its height, so that nothing overflows.
         let fastest = x.max(y).max(z / f64::from(1 << 17));
         let scale = if fastest > 0.0 { 1.0 / fastest } else { 1.0 };
-        let start = ray.at(first);
-        let cell = [0, 1].map(|axis| match heights.border() {
-            Border::Wrap => start[axis].floor(),
-            // Rounding may place it a little outside; there are no cells there.
-            Border::Clamp => start[axis].floor().clamp(0.0, f64::from(heights.cells()[axis] - 1)),
-        });
-        let inside = [0, 1].map(|axis| (start[axis] - cell[axis]).clamp(0.0, 1.0));
+        let places = [0, 1].map(|axis| Place::new(heights, ray, axis, first));
         let end = (last - first) / scale;
         let device = DeviceRay {
-            cell: cell.map(|cell| cell as i32),
-            origin: [inside[0] as f32, inside[1] as f32, start[2] as f32],
+            cell: places.map(|place| place.cell),
+            origin: [places[0].inside as f32, places[1].inside as f32, ray.at(first)[2] as f32],
             direction: ray.direction.map(|along| (along * scale) as f32),
             end: end.clamp(0.0, LONGEST) as f32,
             ..DeviceRay::default()
         };
-        Self { ray: device, start: first, scale, is_cut: end > LONGEST }
+        Self { ray: device, start: first, scale, is_cut: end > LONGEST, corner: places.map(|place| place.corner) }
     }
 
     /// A t of the ray from one of the device's.
-    pub(super) fn t(&self, device: f32) -> f64 {
+    #[must_use]
+    pub fn t(&self, device: f32) -> f64 {
         self.start + self.scale * f64::from(device)
+    }
+
+    /// A cell of the ray from one of the device's: beyond the first tile it goes on counting.
+    #[must_use]
+    pub fn cell(&self, device: [i32; 2]) -> [i64; 2] {
+        [0, 1].map(|axis| self.corner[axis] + i64::from(device[axis]))
     }
 }

@@ -8,7 +8,7 @@ use crate::render::Gpu;
 
 const HOST: &str = "
 struct ReliefStored { cell: vec2i, origin: vec3f, direction: vec3f, end: f32 }
-@group(0) @binding(0) var<uniform> relief_field: ReliefField;
+@group(0) @binding(0) var<uniform> relief_uniform: ReliefField;
 @group(0) @binding(1) var<storage, read> relief_rays: array<ReliefStored>;
 @group(0) @binding(2) var<storage, read_write> relief_hits: array<ReliefHit>;
 @group(0) @binding(3) var relief_heights: texture_2d_array<u32>;
@@ -20,17 +20,63 @@ fn relief_main(@builtin(global_invocation_id) id: vec3u, @builtin(num_workgroups
     if index < arrayLength(&relief_rays) {
         let stored = relief_rays[index];
         let ray = ReliefRay(stored.cell, stored.origin, stored.direction, stored.end);
-        relief_hits[index] = CALL;
+        relief_hits[index] = relief_found(relief_uniform, ray);
     }
 }
 ";
 
-/// WGSL that traces rays from a buffer by a method: an entry point, and what it needs of the library.
+const WHOLE: &str = "
+fn relief_found(relief_field: ReliefField, ray: ReliefRay) -> ReliefHit {
+    return CALL;
+}
+";
+
+const TILED: &str = "
+fn relief_found(relief_field: ReliefField, whole: ReliefRay) -> ReliefHit {
+    var part = tiled_first(relief_field, whole);
+    var hit: ReliefHit;
+    var steps = 0u;
+    var leaves = 0u;
+    loop {
+        hit = relief_over_tile(relief_field, part.ray);
+        steps += hit.steps;
+        leaves += hit.leaves;
+        let is_last = part.start + part.ray.end >= whole.end;
+        if hit.state != RELIEF_MISS || is_last || steps >= relief_field.limit {
+            hit.state = select(hit.state, RELIEF_UNRESOLVED, hit.state == RELIEF_MISS && !is_last);
+            break;
+        }
+        part = tiled_next(relief_field, whole, part);
+    }
+    return ReliefHit(part.start + hit.t, hit.state, hit.cell + part.corner, steps, leaves);
+}
+
+fn relief_over_tile(relief_field: ReliefField, ray: ReliefRay) -> ReliefHit {
+    return CALL;
+}
+";
+
+/// WGSL that traces rays from a buffer by a method: an entry point, and what it needs of the library. What it calls for each
+/// ray is `relief_found(field, ray)`, with the textures `relief_heights` and `relief_bounds`.
 #[must_use]
 pub fn shader(method: Method) -> String {
+    around(&WHOLE.replace("CALL", &call(method)))
+}
+
+/// The same over a map that is placed to be traced tile by tile.
+#[must_use]
+pub fn tiled_shader(method: Method) -> String {
+    around(&TILED.replace("CALL", &call(method)))
+}
+
+fn call(method: Method) -> String {
+    method.call("relief_heights", "relief_bounds", "relief_field", "ray")
+}
+
+fn around(found: &str) -> String {
     let library =
         Library::load(&mut Sources::default(), &[]).expect("the shipped library is right, which its tests show");
-    let host = HOST.replace("CALL", &method.call("relief_heights", "relief_bounds", "relief_field", "ray"));
+    let host = format!("{HOST}{found}");
     let items = library.closure(&host);
     let declarations = items.iter().map(|item| library.slice(*item).to_owned() + "\n");
     declarations.chain([host.clone()]).collect()

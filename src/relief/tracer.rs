@@ -9,7 +9,7 @@ use wgpu::util::{BufferInitDescriptor, DeviceExt as _};
 
 use super::clock::{Clock, Timing};
 use super::setup::{DeviceRay, Segment, Setup};
-use super::shader::{pipeline, shader};
+use super::shader::{pipeline, shader, tiled_shader};
 use super::texture::texture;
 use crate::render::{Gpu, RenderError};
 
@@ -29,6 +29,8 @@ pub enum Outcome {
 pub struct Traced {
     /// What became of it.
     pub outcome: Outcome,
+    /// The cell that was hit, unwrapped as that of [`terrane_shaderlib::heightfield::Hit`]; 0 where none was.
+    pub cell: [i64; 2],
     /// Nodes visited, or samples taken.
     pub steps: u32,
     /// Patches intersected, four texels each.
@@ -42,6 +44,8 @@ pub struct Tracer<'a> {
     heights: &'a Heights,
     range: [f64; 2],
     timing: Timing,
+    method: Method,
+    tiled: bool,
     pipeline: wgpu::ComputePipeline,
     textures: [wgpu::TextureView; 2],
     field: wgpu::Buffer,
@@ -66,12 +70,40 @@ impl<'a> Tracer<'a> {
     /// # Errors
     /// [`RenderError::Refused`] where the device takes no part of it.
     pub fn new(gpu: &'a Gpu, heights: &'a Heights, placed: &Placed, method: Method) -> Result<Self, RenderError> {
-        let pipeline = gpu.checked("relief's pipeline", || pipeline(gpu, &shader(method)))?;
+        let text = if placed.tiled { tiled_shader(method) } else { shader(method) };
+        let pipeline = gpu.checked("relief's pipeline", || pipeline(gpu, &text))?;
+        Self::with(gpu, heights, placed, method, pipeline)
+    }
+
+    /// The same method over another map, which need not be compiled again unless it differs in whether it is traced tile by
+    /// tile.
+    ///
+    /// # Errors
+    /// As [`Self::new`].
+    pub fn over<'b>(&self, heights: &'b Heights, placed: &Placed) -> Result<Tracer<'b>, RenderError>
+    where
+        'a: 'b,
+    {
+        if self.tiled != placed.tiled {
+            return Tracer::new(self.gpu, heights, placed, self.method);
+        }
+        Tracer::with(self.gpu, heights, placed, self.method, self.pipeline.clone())
+    }
+
+    fn with(
+        gpu: &'a Gpu,
+        heights: &'a Heights,
+        placed: &Placed,
+        method: Method,
+        pipeline: wgpu::ComputePipeline,
+    ) -> Result<Self, RenderError> {
         gpu.checked("relief's data", || Self {
             gpu,
             heights,
             range: placed.range,
             timing: Timing::of(gpu),
+            method,
+            tiled: placed.tiled,
             pipeline,
             textures: [texture(gpu, &placed.heights), texture(gpu, &placed.bounds)],
             field: gpu.device.create_buffer_init(&BufferInitDescriptor {
@@ -109,7 +141,7 @@ impl<'a> Tracer<'a> {
         let mut hits = hits.iter();
         let traced = setups.iter().map(|setup| {
             let found = setup.as_ref().and_then(|setup| hits.next().map(|hit| traced(setup, hit)));
-            found.unwrap_or(Traced { outcome: Outcome::Miss, steps: 0, leaves: 0 })
+            found.unwrap_or(Traced { outcome: Outcome::Miss, cell: [0; 2], steps: 0, leaves: 0 })
         });
         Ok((traced.collect(), time))
     }
@@ -172,5 +204,6 @@ fn traced(setup: &Setup, hit: &DeviceHit) -> Traced {
         1 => Outcome::Hit(setup.t(hit.t)),
         _ => Outcome::Unresolved,
     };
-    Traced { outcome, steps: hit.steps, leaves: hit.leaves }
+    let cell = if hit.state == 1 { setup.cell(hit.cell) } else { [0; 2] };
+    Traced { outcome, cell, steps: hit.steps, leaves: hit.leaves }
 }

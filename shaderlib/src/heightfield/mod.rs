@@ -8,8 +8,10 @@ mod exact;
 mod heights;
 pub mod oracle;
 pub mod pyramid;
+mod quantise;
 mod ray;
 
 pub use exact::{first_hit, visible};
 pub use heights::{Border, Heights, HeightsError, LARGEST_SIDE, Texels};
+pub use quantise::Quantised;
 pub use ray::{FixedRay, Hit, Ray};

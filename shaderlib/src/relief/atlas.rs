@@ -1,9 +1,10 @@
 //! One image for the quadtrees of all mips of a map.
 
+use super::dirty::{Region, halved};
 use crate::heightfield::pyramid::Level;
 
 /// The texel of a level's first node: level 0 of a mip of w × h cells stands at `corner`, and level k at `corner >> k`.
-fn place(corner: [u32; 2], level: usize) -> [u32; 2] {
+pub(super) fn place(corner: [u32; 2], level: usize) -> [u32; 2] {
     corner.map(|at| at >> level)
 }
 
@@ -26,6 +27,35 @@ pub(super) fn write(image: &mut [u16], width: u32, corner: [u32; 2], levels: &[L
         let [columns, _] = level.size;
         for (row, values) in rows.zip(level.values.chunks_exact(columns as usize)) {
             row[left as usize..][..columns as usize].copy_from_slice(values);
+        }
+    }
+}
+
+/// Brings the levels over some cells of a mip up to date. `texels` are its heights, of which it has `size >> mip`.
+pub(super) fn update(image: &mut [u16], size: [u32; 2], mip: u32, texels: &[u16], cells: Vec<Region>) {
+    let sides = size.map(|side| side >> mip);
+    let corner = corner(size, mip);
+    let texel = |x: u32, y: u32| texels[(y % sides[1] * sides[0] + x % sides[0]) as usize];
+    each(&cells, |x, y| {
+        let highest = texel(x, y).max(texel(x + 1, y)).max(texel(x, y + 1)).max(texel(x + 1, y + 1));
+        image[((corner[1] + y) * size[0] + corner[0] + x) as usize] = highest;
+    });
+    let mut nodes = cells;
+    for level in 1..=sides[0].min(sides[1]).ilog2() as usize {
+        nodes = halved(&nodes);
+        let [finer, coarser] = [level - 1, level].map(|level| place(corner, level));
+        each(&nodes, |x, y| {
+            let child = |i: u32, j: u32| image[((finer[1] + 2 * y + j) * size[0] + finer[0] + 2 * x + i) as usize];
+            let highest = child(0, 0).max(child(1, 0)).max(child(0, 1)).max(child(1, 1));
+            image[((coarser[1] + y) * size[0] + coarser[0] + x) as usize] = highest;
+        });
+    }
+}
+
+fn each(regions: &[Region], mut visit: impl FnMut(u32, u32)) {
+    for [columns, rows] in regions {
+        for y in rows.clone() {
+            columns.clone().for_each(|x| visit(x, y));
         }
     }
 }

@@ -1,5 +1,7 @@
 //! Coarser forms of a map of heights.
 
+use super::dirty::Region;
+
 /// A texel of the next mip is the mean of the four that it covers, rounded; a side of 1 stays. Sides are powers of two.
 pub(super) fn halve(texels: &[u16], [width, height]: [u32; 2]) -> Vec<u16> {
     let (columns, rows) = (width.div_ceil(2), height.div_ceil(2));
@@ -10,6 +12,17 @@ pub(super) fn halve(texels: &[u16], [width, height]: [u32; 2]) -> Vec<u16> {
         ((sum + 2) / 4) as u16
     };
     (0..rows).flat_map(|y| (0..columns).map(move |x| mean(x, y))).collect()
+}
+
+/// A region of the next mip, of so many columns. Both sides of the finer one are twice as long.
+pub(super) fn halve_part(finer: &[u16], coarser: &mut [u16], width: u32, [columns, rows]: &Region) {
+    for y in rows.clone() {
+        for x in columns.clone() {
+            let at = |i: u32, j: u32| u32::from(finer[((2 * y + j) * 2 * width + 2 * x + i) as usize]);
+            let sum = at(0, 0) + at(1, 0) + at(0, 1) + at(1, 1);
+            coarser[(y * width + x) as usize] = ((sum + 2) / 4) as u16;
+        }
+    }
 }
 
 #[cfg(test)]

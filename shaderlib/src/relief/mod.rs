@@ -4,13 +4,16 @@
 //! level where a shift of its cells finds it (see [`Field::corner`]).
 
 mod atlas;
+mod dirty;
 mod displacement;
 mod family;
 mod field;
 mod method;
 mod mips;
 mod placed;
+mod update;
 
+pub use dirty::{Extent, Region, halved};
 pub use displacement::{Displacement, Undefined};
 pub use family::MethodError;
 pub use field::Field;

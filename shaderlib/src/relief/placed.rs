@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-use super::{Field, atlas, mips};
+use super::dirty::Extent;
+use super::{Field, atlas, mips, update};
 use crate::heightfield::pyramid::{Bound, Levels, Pyramid};
 use crate::heightfield::{Border, Heights, Texels};
 
@@ -55,6 +56,9 @@ pub struct Placed {
     pub fields: Vec<Field>,
     /// The lowest and the highest height.
     pub range: [f64; 2],
+    /// Whether the map wraps though a side is no power of two: it stands there once, with its first column and row again at its
+    /// end, and has no mips; rays are cut at the borders of its tiles (`wgsl/relief/tiled.wgsl`).
+    pub tiled: bool,
 }
 
 /// Why a map cannot be traced on a device.
@@ -62,17 +66,12 @@ pub struct Placed {
 pub enum Unplaceable {
     /// Its heights are floats; shaders read 16-bit steps.
     Floats,
-    /// It wraps and a side is no power of two.
-    Wrap([u32; 2]),
 }
 
 impl fmt::Display for Unplaceable {
     fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Floats => to.write_str("a map of floats: shaders read steps, quantise it to 16 bits"),
-            Self::Wrap([width, height]) => {
-                write!(to, "a map that wraps and has {width} x {height} texels: sides must be powers of two")
-            }
         }
     }
 }
@@ -96,20 +95,15 @@ impl Placed {
             Texels::U16(values) => values.clone(),
             Texels::F32(_) => return Err(Unplaceable::Floats),
         };
-        let size = heights.size();
-        let wraps = heights.border() == Border::Wrap;
-        if wraps && !size.iter().all(|side| side.is_power_of_two()) {
-            return Err(Unplaceable::Wrap(size));
-        }
-        let range = texels
-            .iter()
-            .fold([f64::MAX, 0.0], |[low, high], height| [low.min(f64::from(*height)), high.max(f64::from(*height))]);
-        let mips = mips(fill(&texels, size, size.map(u32::next_power_of_two)), size.map(u32::next_power_of_two), wraps);
+        let extent = Extent::new(heights);
+        let (tiled, wraps) = (extent.is_tiled(), heights.border() == Border::Wrap && !extent.is_tiled());
+        let range = update::range(&texels);
+        let mips = mips(fill(&texels, &extent), extent.filled, wraps);
         let fields = mips.iter().enumerate().map(|(mip, one)| {
             let sides = one.size.map(|side| side as i32 - 1);
             Field {
                 wrap: if wraps { sides } else { [-1; 2] },
-                last: if wraps { sides } else { size.map(|side| side as i32 - 1) },
+                last: extent.last.map(|last| (last >> mip) as i32),
                 corner: atlas::corner(mips[0].size, mip as u32).map(|at| at as i32),
                 top: one.size[0].min(one.size[1]).ilog2() as i32,
                 limit,
@@ -120,18 +114,16 @@ impl Placed {
         let fields = fields.collect();
         let bounds = bounds_of(&mips, bounds);
         let heights = Plane { size: mips[0].size, words: Words::R16(mips.into_iter().map(|mip| mip.texels).collect()) };
-        Ok(Self { heights, bounds, fields, range })
+        Ok(Self { heights, bounds, fields, range, tiled })
     }
 }
 
 /// The map and its mips; one that ends at its border has none.
 fn mips(texels: Vec<u16>, size: [u32; 2], wraps: bool) -> Vec<Mip> {
     let mut mips = vec![Mip { size, texels }];
-    while wraps {
+    let steps = if wraps { size[0].min(size[1]).ilog2() } else { 0 };
+    for _ in 0..steps {
         let finer = &mips[mips.len() - 1];
-        if finer.size[0].min(finer.size[1]) == 1 {
-            break;
-        }
         let coarser = Mip { size: finer.size.map(|side| side / 2), texels: mips::halve(&finer.texels, finer.size) };
         mips.push(coarser);
     }
@@ -165,9 +157,10 @@ fn quadtree(mip: &Mip, bound: Bound) -> Vec<crate::heightfield::pyramid::Level<u
     }
 }
 
-/// The last column and the last row again, as often as it takes.
-fn fill(values: &[u16], size: [u32; 2], wanted: [u32; 2]) -> Vec<u16> {
-    let [width, height] = size.map(|side| side as usize);
-    let rows = (0..wanted[1] as usize).map(|y| &values[y.min(height - 1) * width..][..width]);
-    rows.flat_map(|row| (0..wanted[0] as usize).map(move |x| row[x.min(width - 1)])).collect()
+/// The texels of the first mip.
+fn fill(values: &[u16], extent: &Extent) -> Vec<u16> {
+    let columns: Vec<usize> = (0..extent.filled[0]).map(|x| extent.source(0, x) as usize).collect();
+    let width = extent.size[0] as usize;
+    let rows = (0..extent.filled[1]).map(|y| &values[extent.source(1, y) as usize * width..][..width]);
+    rows.flat_map(|row| columns.iter().map(|x| row[*x])).collect()
 }

@@ -1,10 +1,14 @@
 //! Exact relief methods on the device against the reference in f64.
 
+mod build;
 mod defects;
 mod displacement;
+mod machine;
+mod metamorphic;
 mod scene;
 
-use terrane::relief::{Outcome, Segment, Traced, Tracer, shader};
+use terrane::measure::Judge;
+use terrane::relief::{Outcome, Segment, Traced, Tracer, shader, tiled_shader};
 use terrane::render::{Gpu, Selection};
 use terrane_shaderlib::heightfield::adversary::{AIMS, Case, Depth, LANDS, Random, Rays, SIZES, map};
 use terrane_shaderlib::heightfield::{Border, Heights, Ray, first_hit};
@@ -13,38 +17,17 @@ use terrane_shaderlib::relief::{Bounds, Displacement, Method, Placed};
 use crate::skip::Skip;
 use crate::tint::{Module, Tint};
 
-/// Steps of height by which a hit may be off: 2^-16 of the depth of a 16-bit map.
-const STEP: f64 = 1.0;
-/// Texels by which a hit may be off besides.
-const TEXELS: f64 = 1e-3;
 /// More nodes than any path of the test has.
-const LIMIT: u32 = 1 << 20;
+const LIMIT: u32 = 1 << 15;
 
 fn device() -> Option<Gpu> {
     Gpu::new(&Selection::Best).map_err(|error| Skip(error.to_string()).report()).ok()
 }
 
-/// The ray, so many steps higher.
-fn raised(ray: &Ray, steps: f64) -> Ray {
-    let [x, y, z] = ray.origin;
-    Ray { origin: [x, y, z + steps], ..*ray }
-}
-
-/// What is wrong with an outcome: it must lie between the first hits of the ray a step lower and a step higher.
-fn fault(heights: &Heights, Segment { ray, range }: &Segment, traced: &Traced) -> Option<String> {
-    let fastest = ray.direction[0].abs().max(ray.direction[1].abs()).max(ray.direction[2].abs() / 131_072.0);
-    let slack = TEXELS / fastest.max(f64::MIN_POSITIVE);
-    let lowered = first_hit(heights, &raised(ray, -STEP), *range);
-    let lifted = first_hit(heights, &raised(ray, STEP), *range);
-    let text =
-        |what: &str| Some(format!("{what}: {traced:?}, lower {lowered:?}, higher {lifted:?}, {ray:?} {range:?}"));
-    match traced.outcome {
-        Outcome::Unresolved => text("unresolved"),
-        Outcome::Miss => lifted.filter(|hit| hit.t < range.1 - slack).and_then(|_| text("missed")),
-        Outcome::Hit(t) if lowered.is_none_or(|hit| t < hit.t - slack) => text("too early"),
-        Outcome::Hit(t) if lifted.is_some_and(|hit| t > hit.t + slack) => text("too late"),
-        Outcome::Hit(_) => None,
-    }
+/// What is wrong with an outcome, in words.
+fn fault(heights: &Heights, segment: &Segment, traced: &Traced) -> Option<String> {
+    let judge = Judge::new(heights, *segment);
+    judge.fault(traced).map(|fault| format!("{fault:?}: {}", judge.describe(traced)))
 }
 
 /// Adversarial maps that a device takes, with their rays.
@@ -53,7 +36,6 @@ fn lands(rays: usize, seed: u64) -> impl Iterator<Item = (Heights, Vec<Segment>)
     let all = LANDS.iter().flat_map(|land| SIZES.iter().map(move |size| (*land, *size)));
     all.flat_map(|one| [(one, Border::Wrap), (one, Border::Clamp)]).filter_map(move |((land, size), border)| {
         let heights = map(land, size, border, Depth::Sixteen, random.bits()).ok()?;
-        Placed::new(&heights, Bounds::None, LIMIT).ok()?;
         let mut source = Rays::new(&heights, random.bits());
         let cases: Vec<Case> = (0..rays).map(|index| source.case(AIMS[index % AIMS.len()])).collect();
         let sent = cases.iter().map(|case| Segment { ray: case.ray, range: (0.0, case.end as f64) }).collect();
@@ -65,7 +47,7 @@ fn judge(method: Method, rays: usize, seed: u64) -> Option<(usize, Vec<String>)>
     let gpu = device()?;
     let (mut count, mut faults) = (0, Vec::new());
     for (heights, sent) in lands(rays, seed) {
-        let placed = Placed::new(&heights, method.bounds(), LIMIT).expect("filtered above");
+        let placed = Placed::new(&heights, method.bounds(), LIMIT).expect("whole steps can be placed");
         let tracer = Tracer::new(&gpu, &heights, &placed, method).expect("the device takes it");
         let (traced, _) = tracer.trace(&sent).expect("the device answers");
         count += sent.len();
@@ -124,7 +106,9 @@ fn tint_accepts_every_method() {
         Method::QuadtreeRelief(0),
         Method::QuadtreeReliefExact,
     ];
-    let modules = methods.map(|method| Module::with_pipelines(method.to_string(), shader(method)));
+    let whole = methods.map(|method| Module::with_pipelines(method.to_string(), shader(method)));
+    let tiled = methods.map(|method| Module::with_pipelines(format!("{method}, tile by tile"), tiled_shader(method)));
+    let modules = [whole, tiled].concat();
     for report in tint.validate(&modules) {
         assert!(report.errors().is_empty(), "{}: {}", report.name, report.errors());
         assert!(!report.pipelines.is_empty(), "{}: no pipeline was tried", report.name);
