@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-use super::{Field, atlas, mips};
+use super::{Field, atlas, cones, mips};
+use crate::heightfield::cones::Cones;
 use crate::heightfield::pyramid::{Bound, Levels, Pyramid};
 use crate::heightfield::{Border, Heights, Texels};
 
@@ -13,6 +14,8 @@ pub enum Bounds {
     None,
     /// A quadtree over cells: the largest height of the surface.
     CellMax,
+    /// A cone over each texel or cell, beside the height of its tip.
+    Cones(Cones),
 }
 
 /// Texels of an image.
@@ -20,6 +23,8 @@ pub enum Bounds {
 pub enum Words {
     /// `r16uint`, mip by mip.
     R16(Vec<Vec<u16>>),
+    /// `rg16uint`, mip by mip.
+    Rg16(Vec<Vec<[u16; 2]>>),
 }
 
 /// An image for a shader's `texture_2d_array<u32>`.
@@ -78,6 +83,20 @@ impl Placed {
     /// # Errors
     /// Those of [`Unplaceable`].
     pub fn new(heights: &Heights, bounds: Bounds, limit: u32) -> Result<Self, Unplaceable> {
+        Self::watched(heights, bounds, limit, &|_, _| ())
+    }
+
+    /// The same for bounds that take long: `progress` is told, from any thread, how much of a mip is done and how much there
+    /// is of it.
+    ///
+    /// # Errors
+    /// Those of [`Unplaceable`].
+    pub fn watched(
+        heights: &Heights,
+        bounds: Bounds,
+        limit: u32,
+        progress: &(dyn Fn(u64, u64) + Sync),
+    ) -> Result<Self, Unplaceable> {
         let texels: Vec<u16> = match heights.texels() {
             Texels::U8(values) => values.iter().map(|value| u16::from(*value)).collect(),
             Texels::U16(values) => values.clone(),
@@ -105,7 +124,13 @@ impl Placed {
             }
         });
         let fields = fields.collect();
-        let bounds = bounds_of(&mips, bounds);
+        let bounds = match bounds {
+            Bounds::Cones(cones) => {
+                cones::plane(heights, mips.iter().map(|mip| (mip.size, &mip.texels[..])), cones, progress)
+            }
+            Bounds::CellMax => quadtrees(&mips),
+            Bounds::None => Plane { size: [1, 1], words: Words::R16(vec![vec![0]]) },
+        };
         let heights = Plane { size: mips[0].size, words: Words::R16(mips.into_iter().map(|mip| mip.texels).collect()) };
         Ok(Self { heights, bounds, fields, range })
     }
@@ -125,10 +150,7 @@ fn mips(texels: Vec<u16>, size: [u32; 2], wraps: bool) -> Vec<Mip> {
     mips
 }
 
-fn bounds_of(mips: &[Mip], bounds: Bounds) -> Plane {
-    if bounds == Bounds::None {
-        return Plane { size: [1, 1], words: Words::R16(vec![vec![0]]) };
-    }
+fn quadtrees(mips: &[Mip]) -> Plane {
     let size = atlas::size(mips[0].size);
     let mut image = vec![0; size[0] as usize * size[1] as usize];
     for (index, mip) in mips.iter().enumerate() {

@@ -84,8 +84,39 @@ fn the_walk_is_exact() {
 }
 
 #[test]
+fn robust_cones_are_exact() {
+    exact(Method::RobustCone);
+}
+
+#[test]
 fn maximum_mipmaps_are_exact() {
     exact(Method::MaximumMipmaps);
+}
+
+#[test]
+fn published_cones_are_not() {
+    for method in [Method::ConeStep(0), Method::ConeStep(32), Method::RelaxedCone(32, 8)] {
+        let Some((count, faults)) = judge(method, 96, 1) else { return };
+        assert!(faults.len() > count / 50, "{method}: {} of {count}", faults.len());
+    }
+}
+
+#[test]
+fn a_search_that_is_cut_short_says_so() {
+    let Some(gpu) = device() else { return };
+    let (heights, sent) = lands(600, 1).find(|(heights, _)| heights.size() == [64, 64]).expect("one of the sizes");
+    for method in [Method::RobustCone, Method::ConeStep(0)] {
+        let trace = |limit| {
+            let placed = Placed::new(&heights, method.bounds(), limit).expect("filtered");
+            let tracer = Tracer::new(&gpu, &heights, &placed, method).expect("the device takes it");
+            tracer.trace(&sent).expect("the device answers").0
+        };
+        let (whole, cut) = (trace(LIMIT), trace(2));
+        let unresolved = cut.iter().filter(|one| one.outcome == Outcome::Unresolved).count();
+        assert!(unresolved > 10, "{method}: {unresolved}");
+        let same = |(cut, whole): (&Traced, &Traced)| cut.outcome == Outcome::Unresolved || cut == whole;
+        assert!(cut.iter().zip(&whole).all(same), "{method}: an answer that is not that of the whole search");
+    }
 }
 
 #[test]
@@ -98,7 +129,10 @@ fn linear_search_is_not_and_the_judge_sees_it() {
 fn tint_accepts_every_method() {
     let Ok(mut tint) = Tint::start().map_err(Skip::report) else { return };
     let methods = [Method::Walk, Method::MaximumMipmaps, Method::Linear(32, 0), Method::Linear(32, 6)];
-    let modules = methods.map(|method| Module::with_pipelines(method.to_string(), shader(method)));
+    let cones = [Method::RobustCone, Method::ConeStep(0), Method::ConeStep(16), Method::RelaxedCone(15, 8)];
+    let modules =
+        methods.into_iter().chain(cones).map(|method| Module::with_pipelines(method.to_string(), shader(method)));
+    let modules: Vec<Module> = modules.collect();
     for report in tint.validate(&modules) {
         assert!(report.errors().is_empty(), "{}: {}", report.name, report.errors());
         assert!(!report.pipelines.is_empty(), "{}: no pipeline was tried", report.name);

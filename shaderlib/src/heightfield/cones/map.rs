@@ -3,7 +3,6 @@
 use rayon::prelude::*;
 
 use super::code::Format;
-use super::quadrant::MIRRORS;
 use super::slopes::{Ground, slopes};
 use crate::heightfield::{Heights, Texels};
 
@@ -50,13 +49,9 @@ impl ConeMap {
     /// Builds it on all cores. `progress` is told, from any of them, how much is done and how much there is.
     #[must_use]
     pub fn new(heights: &Heights, cones: Cones, progress: &(dyn Fn(u64, u64) + Sync)) -> Self {
-        Self::toward(heights, cones, &MIRRORS, progress)
-    }
-
-    pub fn toward(heights: &Heights, cones: Cones, mirrors: &[[bool; 2]], progress: &(dyn Fn(u64, u64) + Sync)) -> Self {
         let unit = unit(heights.texels());
         let ground = Ground::new(heights, cones);
-        let slopes = slopes(&ground, mirrors, progress);
+        let slopes = slopes(&ground, progress);
         let code = |slope: f32| match cones {
             Cones::Step | Cones::Relaxed => RATIO.down(unit / f64::from(slope)),
             Cones::Robust => SLOPE.up(f64::from(slope) / unit * (1.0 + MARGIN)),
@@ -87,8 +82,8 @@ impl ConeMap {
 
 fn unit(texels: &Texels) -> f64 {
     let Texels::F32(values) = texels else { return 1.0 };
-    let [low, high] = values.iter().fold([f64::MAX, f64::MIN], |[low, high], value| {
-        [low.min(f64::from(*value)), high.max(f64::from(*value))]
-    });
+    let [low, high] = values
+        .iter()
+        .fold([f64::MAX, f64::MIN], |[low, high], value| [low.min(f64::from(*value)), high.max(f64::from(*value))]);
     if high > low { ((high - low) / 65536.0).log2().ceil().exp2() } else { 1.0 }
 }

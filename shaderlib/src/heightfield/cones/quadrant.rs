@@ -119,9 +119,8 @@ impl Quadrant {
 
     fn may_be_steeper(&self, rule: &impl Rule, apex: &Apex, node: &Node, slope: f64) -> bool {
         let near = [0, 1].map(|axis| node.tile[axis] + (node.at[axis] << node.level));
-        let far = [0, 1].map(|axis| {
-            node.tile[axis] + (((node.at[axis] + 1) << node.level) - 1).min(self.size[axis] - 1)
-        });
+        let far =
+            [0, 1].map(|axis| node.tile[axis] + (((node.at[axis] + 1) << node.level) - 1).min(self.size[axis] - 1));
         if far[0] < apex.at[0] || far[1] < apex.at[1] {
             return false;
         }

@@ -31,7 +31,9 @@ impl Ground {
     fn quadrant(&self, mirror: Mirror) -> Quadrant {
         match self.cones {
             Cones::Step | Cones::Robust => Quadrant::new(self.size, self.wrap, &self.heights, mirror),
-            Cones::Relaxed => Quadrant::new(self.size, self.wrap, &falling(self.size, self.wrap, &self.heights, mirror), mirror),
+            Cones::Relaxed => {
+                Quadrant::new(self.size, self.wrap, &falling(self.size, self.wrap, &self.heights, mirror), mirror)
+            }
         }
     }
 
@@ -41,7 +43,8 @@ impl Ground {
         let size = self.size.map(|side| side as i32);
         let first = [x, y].map(|at| at as i32);
         // A clamped map has no cell beyond its last one, and a side of 1 only one that is nowhere.
-        let first = [0, 1].map(|axis| if self.wrap { first[axis] } else { first[axis].min((size[axis] - 1 - extent).max(0)) });
+        let first =
+            [0, 1].map(|axis| if self.wrap { first[axis] } else { first[axis].min((size[axis] - 1 - extent).max(0)) });
         let at = [0, 1].map(|axis| match mirror[axis] {
             true => (size[axis] - 1 - first[axis] - extent).rem_euclid(size[axis]),
             false => first[axis],
@@ -56,12 +59,12 @@ impl Ground {
     }
 }
 
-/// Steps a texel, rounded up to an f32: the steepest way from each tip to a texel of the quadrants.
-pub(super) fn slopes(ground: &Ground, mirrors: &[Mirror], progress: &(dyn Fn(u64, u64) + Sync)) -> Vec<f32> {
+/// Steps a texel, rounded up to an f32: the steepest way from each tip to a texel.
+pub(super) fn slopes(ground: &Ground, progress: &(dyn Fn(u64, u64) + Sync)) -> Vec<f32> {
     let width = ground.size[0] as usize;
     let mut found = vec![0.0; ground.heights.len()];
-    let (total, done) = (mirrors.len() as u64 * u64::from(ground.size[1]), AtomicU64::new(0));
-    for mirror in mirrors {
+    let (total, done) = (MIRRORS.len() as u64 * u64::from(ground.size[1]), AtomicU64::new(0));
+    for mirror in &MIRRORS {
         let quadrant = ground.quadrant(*mirror);
         found.par_chunks_mut(width).enumerate().for_each(|(y, row)| {
             match ground.cones {

@@ -1,6 +1,5 @@
-use super::quadrant::MIRRORS;
 use super::*;
-use crate::heightfield::adversary::{Depth, LANDS, Random, map};
+use crate::heightfield::adversary::{Depth, LANDS, map};
 use crate::heightfield::{Border, Heights, Texels};
 
 fn quiet(_: u64, _: u64) {}
@@ -60,7 +59,8 @@ fn square(heights: &Heights, seen: &[[i64; 2]], cell: [i64; 2]) -> f64 {
         heights.border() == Border::Wrap || (0..width).contains(&x) && (0..height).contains(&y)
     };
     let longest = 3 * i64::from(heights.size()[0].max(heights.size()[1]));
-    let diagonals = [[1, 1], [1, -1], [-1, 1], [-1, -1]].into_iter().flat_map(|way| (0..longest).map(move |a| (way, a)));
+    let diagonals =
+        [[1, 1], [1, -1], [-1, 1], [-1, -1]].into_iter().flat_map(|way| (0..longest).map(move |a| (way, a)));
     let middles = diagonals.map(|(way, a)| {
         let at = |axis: usize, a: i64| cell[axis] + if way[axis] > 0 { 1 + a } else { -a };
         let pair = [[at(0, a + 1), at(1, a)], [at(0, a), at(1, a + 1)]];
@@ -87,7 +87,12 @@ fn differs(cones: Cones, expected: impl Fn(&Heights, &[[i64; 2]], [i64; 2]) -> f
                 Cones::Robust => SLOPE.up(slope / built.unit * (1.0 + 1.0 / 16384.0)),
             };
             let found = built.codes[(y * width + x) as usize];
-            assert!(found.abs_diff(code) <= 1, "{cones:?} {:?} {:?} {x} {y}: {found} {code}", heights.size(), heights.border());
+            assert!(
+                found.abs_diff(code) <= 1,
+                "{cones:?} {:?} {:?} {x} {y}: {found} {code}",
+                heights.size(),
+                heights.border()
+            );
             assert!(built.slope(x, y) >= slope, "{cones:?}: wider than it is");
         }
     }
