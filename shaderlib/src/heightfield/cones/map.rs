@@ -1,9 +1,7 @@
 //! A cone for every texel.
 
-use rayon::prelude::*;
-
-use super::code::Format;
-use super::slopes::{Ground, slopes};
+use super::slopes::{Ground, codes};
+use super::stored::Stored;
 use crate::heightfield::{Heights, Texels};
 
 /// Which cones.
@@ -22,15 +20,6 @@ pub enum Cones {
     Robust,
 }
 
-/// How [`Cones::Step`] and [`Cones::Relaxed`] are stored: the ratio of a cone, texels for each unit of height, rounded down.
-pub const RATIO: Format = Format { least: -18 };
-
-/// How [`Cones::Robust`] is stored: the slope of a cone, units of height for each texel, rounded up.
-pub const SLOPE: Format = Format { least: -14 };
-
-/// What a robust cone is steeper than it need be, so that a shader's roundings cannot leave it.
-const MARGIN: f64 = 1.0 / 16384.0;
-
 /// The cones of a map.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ConeMap {
@@ -41,7 +30,7 @@ pub struct ConeMap {
     /// Steps of the map to a unit of height: 1 for 8- and 16-bit maps; for floats the power of two that makes at most 65536 units
     /// of the whole range.
     pub unit: f64,
-    /// In [`RATIO`] or [`SLOPE`], row by row.
+    /// In [`RATIO`](super::RATIO) or [`SLOPE`](super::SLOPE), row by row.
     pub codes: Vec<u16>,
 }
 
@@ -49,15 +38,9 @@ impl ConeMap {
     /// Builds it on all cores. `progress` is told, from any of them, how much is done and how much there is.
     #[must_use]
     pub fn new(heights: &Heights, cones: Cones, progress: &(dyn Fn(u64, u64) + Sync)) -> Self {
-        let unit = unit(heights.texels());
-        let ground = Ground::new(heights, cones);
-        let slopes = slopes(&ground, progress);
-        let code = |slope: f32| match cones {
-            Cones::Step | Cones::Relaxed => RATIO.down(unit / f64::from(slope)),
-            Cones::Robust => SLOPE.up(f64::from(slope) / unit * (1.0 + MARGIN)),
-        };
-        let codes = slopes.into_par_iter().map(code).collect();
-        Self { cones, size: heights.size(), unit, codes }
+        let stored = Stored { cones, unit: unit(heights.texels()) };
+        let codes = codes(&Ground::new(heights, cones), &stored, progress);
+        Self { cones, size: heights.size(), unit: stored.unit, codes }
     }
 
     /// Steps for each texel that a cone is steep: what the shader decodes, exactly.
@@ -67,10 +50,7 @@ impl ConeMap {
     #[must_use]
     pub fn slope(&self, x: u32, y: u32) -> f64 {
         let code = self.codes[y as usize * self.size[0] as usize + x as usize];
-        match self.cones {
-            Cones::Step | Cones::Relaxed => self.unit / f64::from(RATIO.value(code)),
-            Cones::Robust => self.unit * f64::from(SLOPE.value(code)),
-        }
+        Stored { cones: self.cones, unit: self.unit }.slope(code)
     }
 
     /// Bytes of the codes.

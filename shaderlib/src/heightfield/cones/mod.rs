@@ -10,10 +10,12 @@ mod quadrant;
 mod report;
 mod rules;
 mod slopes;
+mod stored;
 
 pub use code::Format;
-pub use map::{ConeMap, Cones, RATIO, SLOPE};
+pub use map::{ConeMap, Cones};
 pub use report::{Report, report};
+pub use stored::{RATIO, SLOPE};
 
 #[cfg(test)]
 mod tests;

@@ -1,5 +1,6 @@
 //! What can narrow a cone on one side of it: heights, mirrored so that this side is toward +x and +y, under their maxima.
 
+use super::stored::Stored;
 use crate::heightfield::pyramid::{Level, maxima};
 
 /// One of the four ways to mirror the axes.
@@ -15,11 +16,20 @@ pub(super) struct Quadrant {
     levels: Vec<Level<f32>>,
 }
 
-/// The steepest so far, and where it stands.
+/// The steepest so far, as it is stored, and where it stands.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Steepest {
-    pub(super) slope: f64,
+pub(super) struct Steepest<'a> {
+    stored: &'a Stored,
+    pub(super) code: u16,
     pub(super) at: [i32; 2],
+    /// No slope up to this has another code: what is not steeper need not be looked at.
+    ceiling: f64,
+}
+
+impl<'a> Steepest<'a> {
+    pub(super) fn new(stored: &'a Stored, code: u16, at: [i32; 2]) -> Self {
+        Self { stored, code, at, ceiling: stored.ceiling(code) }
+    }
 }
 
 /// How heights narrow a cone.
@@ -85,8 +95,8 @@ impl Quadrant {
     }
 
     /// Finds what is steepest from an apex toward +x and +y, the nearest nodes first; nodes that cannot be steeper than what is
-    /// known stay closed, so the slope is that over all texels.
-    pub(super) fn search(&self, rule: &impl Rule, apex: &Apex, known: &mut Steepest) {
+    /// known stay closed, so the code is that over all texels.
+    pub(super) fn search(&self, rule: &impl Rule, apex: &Apex, known: &mut Steepest<'_>) {
         let mut waiting = [Node::default(); WAITING];
         let mut count = 0;
         let top = self.levels.len() as u32 - 1;
@@ -99,7 +109,7 @@ impl Quadrant {
         while count > 0 {
             count -= 1;
             let node = waiting[count];
-            if !self.may_be_steeper(rule, apex, &node, known.slope) {
+            if !self.may_be_steeper(rule, apex, &node, known.ceiling) {
                 continue;
             }
             if node.level == 0 {
@@ -129,13 +139,13 @@ impl Quadrant {
     }
 
     /// Takes a texel if it is steeper than what is known.
-    pub(super) fn consider(&self, rule: &impl Rule, apex: &Apex, texel: [i32; 2], known: &mut Steepest) {
+    pub(super) fn consider(&self, rule: &impl Rule, apex: &Apex, texel: [i32; 2], known: &mut Steepest<'_>) {
         if texel[0] < apex.at[0] || texel[1] < apex.at[1] {
             return;
         }
         let slope = rule.slope(self, apex, texel);
-        if slope > known.slope {
-            *known = Steepest { slope, at: texel };
+        if slope > known.ceiling {
+            *known = Steepest::new(known.stored, known.stored.code(slope), texel);
         }
     }
 }

@@ -8,6 +8,7 @@ use super::falling::falling;
 use super::map::Cones;
 use super::quadrant::{Apex, MIRRORS, Mirror, Quadrant, Rule, Steepest};
 use super::rules::{Round, Square};
+use super::stored::Stored;
 use crate::heightfield::{Border, Heights, Texels};
 
 /// A map as the search wants it.
@@ -59,42 +60,44 @@ impl Ground {
     }
 }
 
-/// Steps a texel, rounded up to an f32: the steepest way from each tip to a texel.
-pub(super) fn slopes(ground: &Ground, progress: &(dyn Fn(u64, u64) + Sync)) -> Vec<f32> {
+/// The codes of all cones: of each the steepest way from its tip to a texel.
+pub(super) fn codes(ground: &Ground, stored: &Stored, progress: &(dyn Fn(u64, u64) + Sync)) -> Vec<u16> {
     let width = ground.size[0] as usize;
-    let mut found = vec![0.0; ground.heights.len()];
+    let mut codes = vec![stored.code(0.0); ground.heights.len()];
     let (total, done) = (MIRRORS.len() as u64 * u64::from(ground.size[1]), AtomicU64::new(0));
     for mirror in &MIRRORS {
         let quadrant = ground.quadrant(*mirror);
-        found.par_chunks_mut(width).enumerate().for_each(|(y, row)| {
+        codes.par_chunks_mut(width).enumerate().for_each(|(y, row)| {
             match ground.cones {
-                Cones::Step | Cones::Relaxed => steepen(ground, &quadrant, &Round, *mirror, y as u32, row),
-                Cones::Robust => steepen(ground, &quadrant, &Square, *mirror, y as u32, row),
+                Cones::Step | Cones::Relaxed => steepen(ground, stored, &quadrant, &Round, *mirror, y as u32, row),
+                Cones::Robust => steepen(ground, stored, &quadrant, &Square, *mirror, y as u32, row),
             }
             progress(done.fetch_add(1, Ordering::Relaxed) + 1, total);
         });
     }
-    found
+    codes
 }
 
-/// Brings the slopes of a row up to those toward a quadrant.
-fn steepen(ground: &Ground, quadrant: &Quadrant, rule: &impl Rule, mirror: Mirror, y: u32, row: &mut [f32]) {
+/// Brings the codes of a row up to the slopes toward a quadrant.
+fn steepen(
+    ground: &Ground,
+    stored: &Stored,
+    quadrant: &Quadrant,
+    rule: &impl Rule,
+    mirror: Mirror,
+    y: u32,
+    row: &mut [u16],
+) {
     let width = row.len() as u32;
     let mut last = [0, 0];
     for x in 0..width {
         let x = if mirror[0] { width - 1 - x } else { x };
         let apex = ground.apex([x, y], mirror);
-        let mut steepest = Steepest { slope: f64::from(row[x as usize]), at: last };
+        let mut steepest = Steepest::new(stored, row[x as usize], last);
         // What was steepest from the neighbour often still is: then most nodes stay closed from the start.
         quadrant.consider(rule, &apex, last, &mut steepest);
         quadrant.search(rule, &apex, &mut steepest);
         last = steepest.at;
-        row[x as usize] = raised(steepest.slope);
+        row[x as usize] = steepest.code;
     }
-}
-
-/// The nearest f32 that is not below.
-fn raised(slope: f64) -> f32 {
-    let near = slope as f32;
-    if f64::from(near) < slope { near.next_up() } else { near }
 }
