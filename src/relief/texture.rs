@@ -9,6 +9,7 @@ use crate::render::Gpu;
 pub(super) fn texture(gpu: &Gpu, plane: &Plane) -> wgpu::TextureView {
     let [width, height] = plane.size;
     let (format, mips, bytes) = match &plane.words {
+        Words::Rg16(mips) => (wgpu::TextureFormat::Rg16Uint, mips.len(), bytemuck::cast_slice(&mips.concat()).to_vec()),
         Words::R16(mips) => (wgpu::TextureFormat::R16Uint, mips.len(), bytemuck::cast_slice(&mips.concat()).to_vec()),
     };
     let descriptor = wgpu::TextureDescriptor {

@@ -4,6 +4,7 @@
 //! direction`; its direction need not have length 1.
 
 pub mod adversary;
+pub mod cones;
 mod exact;
 mod heights;
 pub mod oracle;

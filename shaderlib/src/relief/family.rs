@@ -57,6 +57,22 @@ const FAMILIES: &[Family] = &[
         with: |budget| numbers(budget).filter(|[finest]| *finest < 16).map(|[finest]| Method::QuadtreeRelief(finest)),
     },
     single("quadtree_relief_exact", &[Method::QuadtreeReliefExact]),
+    single("robust_cone", &[Method::RobustCone]),
+    Family {
+        name: "cone_step",
+        budget: "STEPS",
+        defaults: &[Method::ConeStep(0), Method::ConeStep(32)],
+        with: |budget| numbers(budget).filter(|[steps]| *steps > 0).map(|[steps]| Method::ConeStep(steps)),
+    },
+    Family {
+        name: "relaxed_cone",
+        budget: "STEPS, HALVINGS",
+        defaults: &[Method::RelaxedCone(15, 8)],
+        with: |budget| {
+            let both = numbers(budget).filter(|[steps, _]| *steps > 0);
+            both.map(|[steps, halvings]| Method::RelaxedCone(steps, halvings))
+        },
+    },
 ];
 
 /// So many whole numbers with commas between them.

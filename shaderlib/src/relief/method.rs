@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::{Bounds, Displacement};
+use crate::heightfield::cones::Cones;
 
 /// A way to find the first hit of a ray, and its budget.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,6 +24,12 @@ pub enum Method {
     QuadtreeRelief(u32),
     /// The same made exact.
     QuadtreeReliefExact,
+    /// `shaderlib/wgsl/relief/robust_cone.wgsl`.
+    RobustCone,
+    /// `shaderlib/wgsl/relief/cone_step.wgsl`: steps, or 0 to go on until the ray is in the ground.
+    ConeStep(u32),
+    /// `shaderlib/wgsl/relief/relaxed_cone.wgsl`: steps, and halvings after them.
+    RelaxedCone(u32, u32),
 }
 
 impl Method {
@@ -32,7 +39,7 @@ impl Method {
     /// Whether it finds the first hit of every ray.
     #[must_use]
     pub fn is_exact(self) -> bool {
-        self.bounds() == Bounds::CellMax
+        matches!(self.bounds(), Bounds::CellMax | Bounds::Cones(Cones::Robust))
     }
 
     /// What it knows of the map.
@@ -44,6 +51,9 @@ impl Method {
             }
             Self::QuadtreeDisplacement(_) | Self::QuadtreeRelief(_) => Bounds::TexelMax,
             Self::Linear(..) | Self::ParallaxOffset(_) => Bounds::None,
+            Self::RobustCone => Bounds::Cones(Cones::Robust),
+            Self::ConeStep(_) => Bounds::Cones(Cones::Step),
+            Self::RelaxedCone(..) => Bounds::Cones(Cones::Relaxed),
         }
     }
 
@@ -54,6 +64,11 @@ impl Method {
         match self {
             Self::Walk => exact("walk_trace"),
             Self::MaximumMipmaps => exact("maximum_mipmaps_trace"),
+            Self::RobustCone => exact("robust_cone_trace"),
+            Self::ConeStep(steps) => format!("cone_step_trace({heights}, {bounds}, {field}, {ray}, {steps}u)"),
+            Self::RelaxedCone(steps, halvings) => {
+                format!("relaxed_cone_trace({heights}, {bounds}, {field}, {ray}, {steps}u, {halvings}u)")
+            }
             Self::Linear(steps, halvings) => {
                 format!("linear_trace({heights}, {field}, {ray}, {steps}u, {halvings}u)")
             }
@@ -73,6 +88,10 @@ impl fmt::Display for Method {
         match self {
             Self::Walk => to.write_str("walk"),
             Self::MaximumMipmaps => to.write_str("maximum_mipmaps"),
+            Self::RobustCone => to.write_str("robust_cone"),
+            Self::ConeStep(0) => to.write_str("cone_step"),
+            Self::ConeStep(steps) => write!(to, "cone_step({steps})"),
+            Self::RelaxedCone(steps, halvings) => write!(to, "relaxed_cone({steps}, {halvings})"),
             Self::Linear(steps, 0) => write!(to, "linear_secant({steps})"),
             Self::Linear(steps, halvings) => write!(to, "linear_binary({steps}, {halvings})"),
             Self::ParallaxOffset(steep) => write!(to, "parallax_offset({steep})"),

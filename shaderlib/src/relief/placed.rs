@@ -3,7 +3,8 @@
 use std::fmt;
 
 use super::dirty::Extent;
-use super::{Field, atlas, mips, update};
+use super::{Field, atlas, cones, mips, update};
+use crate::heightfield::cones::Cones;
 use crate::heightfield::pyramid::{Bound, Levels, Pyramid};
 use crate::heightfield::{Border, Heights, Texels};
 
@@ -17,6 +18,8 @@ pub enum Bounds {
     /// A quadtree over texels: the largest of them, as Drobot and as Schröders and van Gulik have it. Not of the surface
     /// between them. A texel's node is where that of the cell is of which it is the first corner.
     TexelMax,
+    /// A cone over each texel or cell, beside the height of its tip.
+    Cones(Cones),
 }
 
 /// Texels of an image.
@@ -24,6 +27,8 @@ pub enum Bounds {
 pub enum Words {
     /// `r16uint`, mip by mip.
     R16(Vec<Vec<u16>>),
+    /// `rg16uint`, mip by mip.
+    Rg16(Vec<Vec<[u16; 2]>>),
 }
 
 /// An image for a shader's `texture_2d_array<u32>`.
@@ -41,7 +46,33 @@ impl Plane {
     pub fn bytes(&self) -> usize {
         match &self.words {
             Words::R16(mips) => mips.iter().map(|mip| size_of_val(&mip[..])).sum(),
+            Words::Rg16(mips) => mips.iter().map(|mip| size_of_val(&mip[..])).sum(),
         }
+    }
+}
+
+impl Plane {
+    /// How many mips it has.
+    #[must_use]
+    pub fn mips(&self) -> usize {
+        match &self.words {
+            Words::R16(mips) => mips.len(),
+            Words::Rg16(mips) => mips.len(),
+        }
+    }
+
+    /// What a shader loads: 0 for channels that the texels lack, but 1 for the last; `None` beyond the border or the last mip.
+    #[must_use]
+    pub fn texel(&self, mip: usize, [x, y]: [u32; 2]) -> Option<[u32; 4]> {
+        let [width, height] = self.size.map(|side| (side >> mip).max(1));
+        let at = (x < width && y < height).then_some((y * width + x) as usize)?;
+        Some(match &self.words {
+            Words::R16(mips) => [u32::from(mips.get(mip)?[at]), 0, 0, 1],
+            Words::Rg16(mips) => {
+                let [red, green] = mips.get(mip)?[at].map(u32::from);
+                [red, green, 0, 1]
+            }
+        })
     }
 }
 
@@ -90,6 +121,20 @@ impl Placed {
     /// # Errors
     /// Those of [`Unplaceable`].
     pub fn new(heights: &Heights, bounds: Bounds, limit: u32) -> Result<Self, Unplaceable> {
+        Self::watched(heights, bounds, limit, &|_, _| ())
+    }
+
+    /// The same for bounds that take long: `progress` is told, from any thread, how much of a mip is done and how much there
+    /// is of it.
+    ///
+    /// # Errors
+    /// Those of [`Unplaceable`].
+    pub fn watched(
+        heights: &Heights,
+        bounds: Bounds,
+        limit: u32,
+        progress: &(dyn Fn(u64, u64) + Sync),
+    ) -> Result<Self, Unplaceable> {
         let texels: Vec<u16> = match heights.texels() {
             Texels::U8(values) => values.iter().map(|value| u16::from(*value)).collect(),
             Texels::U16(values) => values.clone(),
@@ -112,7 +157,14 @@ impl Placed {
             }
         });
         let fields = fields.collect();
-        let bounds = bounds_of(&mips, bounds);
+        let bounds = match bounds {
+            Bounds::Cones(cones) => {
+                cones::plane(heights, mips.iter().map(|mip| (mip.size, &mip.texels[..])), cones, progress)
+            }
+            Bounds::CellMax => quadtrees(&mips, Bound::CellMax),
+            Bounds::TexelMax => quadtrees(&mips, Bound::TexelMax),
+            Bounds::None => Plane { size: [1, 1], words: Words::R16(vec![vec![0]]) },
+        };
         let heights = Plane { size: mips[0].size, words: Words::R16(mips.into_iter().map(|mip| mip.texels).collect()) };
         Ok(Self { heights, bounds, fields, range, tiled })
     }
@@ -130,12 +182,7 @@ fn mips(texels: Vec<u16>, size: [u32; 2], wraps: bool) -> Vec<Mip> {
     mips
 }
 
-fn bounds_of(mips: &[Mip], bounds: Bounds) -> Plane {
-    let bound = match bounds {
-        Bounds::None => return Plane { size: [1, 1], words: Words::R16(vec![vec![0]]) },
-        Bounds::CellMax => Bound::CellMax,
-        Bounds::TexelMax => Bound::TexelMax,
-    };
+fn quadtrees(mips: &[Mip], bound: Bound) -> Plane {
     let size = atlas::size(mips[0].size);
     let mut image = vec![0; size[0] as usize * size[1] as usize];
     for (index, mip) in mips.iter().enumerate() {

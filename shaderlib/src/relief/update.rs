@@ -17,7 +17,12 @@ impl Placed {
         let extent = Extent::new(heights);
         assert_eq!(self.heights.size, extent.filled, "a map of another size");
         let width = self.heights.size[0];
-        let Words::R16(heights_of) = &mut self.heights.words;
+        let placed = matches!(bounds, Bounds::None | Bounds::CellMax);
+        let (Words::R16(heights_of), true) = (&mut self.heights.words, placed) else {
+            // Other bounds reach far beyond what has changed, or are no method's that is meant for changes.
+            *self = Self::new(heights, bounds, self.fields[0].limit).expect("a map of floats where steps are placed");
+            return;
+        };
         let mut changed = extent.texels(texels);
         for region in &changed {
             source(heights, &extent, &mut heights_of[0], width, region);
@@ -30,8 +35,7 @@ impl Placed {
                     mips::halve_part(&finer[mip as usize - 1], &mut coarser[0], width >> mip, region)
                 });
             }
-            if bounds == Bounds::CellMax {
-                let Words::R16(image) = &mut self.bounds.words;
+            if let (Bounds::CellMax, Words::R16(image)) = (bounds, &mut self.bounds.words) {
                 let cells = extent.cells(mip, &changed);
                 atlas::update(&mut image[0], extent.filled, mip, &heights_of[mip as usize], cells);
             }

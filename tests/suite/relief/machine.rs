@@ -26,15 +26,11 @@ impl Textures for Placement<'_> {
 
     fn load(&self, load: &Load) -> Option<[f64; 4]> {
         let plane = self.plane(load.texture)?;
-        let Words::R16(mips) = &plane.words;
         let texel = || {
-            let [x, y] = [u32::try_from(load.at[0]).ok()?, u32::try_from(load.at[1]).ok()?];
-            let level = usize::try_from(load.level).ok()?;
-            let [width, height] = plane.size.map(|side| (side >> level).max(1));
-            let inside = x < width && y < height;
-            inside.then(|| mips.get(level).map(|texels| f64::from(texels[(y * width + x) as usize]))).flatten()
+            let at = [u32::try_from(load.at[0]).ok()?, u32::try_from(load.at[1]).ok()?];
+            plane.texel(usize::try_from(load.level).ok()?, at)
         };
-        Some([texel().unwrap_or(0.0), 0.0, 0.0, 1.0])
+        Some(texel().unwrap_or([0, 0, 0, 1]).map(f64::from))
     }
 
     fn size(&self, texture: u32, level: u32) -> Option<[u32; 2]> {
@@ -42,9 +38,7 @@ impl Textures for Placement<'_> {
     }
 
     fn count(&self, texture: u32) -> Option<Count> {
-        self.plane(texture).map(|plane| match &plane.words {
-            Words::R16(mips) => Count { layers: 1, levels: mips.len() as u32 },
-        })
+        self.plane(texture).map(|plane| Count { layers: 1, levels: plane.mips() as u32 })
     }
 }
 

@@ -70,6 +70,11 @@ fn the_walk_is_exact() {
 }
 
 #[test]
+fn robust_cones_are_exact() {
+    exact(Method::RobustCone);
+}
+
+#[test]
 fn maximum_mipmaps_are_exact() {
     exact(Method::MaximumMipmaps);
 }
@@ -82,6 +87,32 @@ fn the_repaired_quadtree_displacement_is_exact() {
 #[test]
 fn the_repaired_quadtree_relief_is_exact() {
     exact(Method::QuadtreeReliefExact);
+}
+
+#[test]
+fn published_cones_are_not() {
+    for method in [Method::ConeStep(0), Method::ConeStep(32), Method::RelaxedCone(32, 8)] {
+        let Some((count, faults)) = judge(method, 96, 1) else { return };
+        assert!(faults.len() > count / 50, "{method}: {} of {count}", faults.len());
+    }
+}
+
+#[test]
+fn a_search_that_is_cut_short_says_so() {
+    let Some(gpu) = device() else { return };
+    let (heights, sent) = lands(600, 1).find(|(heights, _)| heights.size() == [64, 64]).expect("one of the sizes");
+    for method in [Method::RobustCone, Method::ConeStep(0)] {
+        let trace = |limit| {
+            let placed = Placed::new(&heights, method.bounds(), limit).expect("filtered");
+            let tracer = Tracer::new(&gpu, &heights, &placed, method).expect("the device takes it");
+            tracer.trace(&sent).expect("the device answers").0
+        };
+        let (whole, cut) = (trace(LIMIT), trace(2));
+        let unresolved = cut.iter().filter(|one| one.outcome == Outcome::Unresolved).count();
+        assert!(unresolved > 10, "{method}: {unresolved}");
+        let same = |(cut, whole): (&Traced, &Traced)| cut.outcome == Outcome::Unresolved || cut == whole;
+        assert!(cut.iter().zip(&whole).all(same), "{method}: an answer that is not that of the whole search");
+    }
 }
 
 #[test]
@@ -105,6 +136,10 @@ fn tint_accepts_every_method() {
         Method::QuadtreeDisplacementRepaired,
         Method::QuadtreeRelief(0),
         Method::QuadtreeReliefExact,
+        Method::RobustCone,
+        Method::ConeStep(0),
+        Method::ConeStep(16),
+        Method::RelaxedCone(15, 8),
     ];
     let whole = methods.map(|method| Module::with_pipelines(method.to_string(), shader(method)));
     let tiled = methods.map(|method| Module::with_pipelines(format!("{method}, tile by tile"), tiled_shader(method)));

@@ -111,6 +111,16 @@ impl Pyramid {
     }
 }
 
+/// A quadtree of maxima over any values, the finest level first.
+pub(super) fn maxima(finest: Level<f32>) -> Vec<Level<f32>> {
+    let sizes = sizes(finest.size).skip(1);
+    let coarser: Vec<_> = sizes.map(|size| Level::blank(size)).collect();
+    let region = finest.whole();
+    let mut levels: Vec<_> = std::iter::once(finest).chain(coarser).collect();
+    climb::<Max, f32>(&mut levels, region);
+    levels
+}
+
 /// Columns and rows of every level over a finest one.
 fn sizes(finest: [u32; 2]) -> impl Iterator<Item = [u32; 2]> {
     std::iter::successors(Some(finest), |size| (size[0] > 1 || size[1] > 1).then(|| size.map(|side| side.div_ceil(2))))

@@ -1,0 +1,69 @@
+//! A cone for every texel.
+
+use super::slopes::{Ground, codes};
+use super::stored::Stored;
+use crate::heightfield::{Heights, Texels};
+
+/// Which cones.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Cones {
+    /// Round, over texels: no texel reaches into the cone. The bilinear surface between them may. Source: Dummer, "Cone Step
+    /// Mapping: An Iterative Ray-Heightfield Intersection Algorithm", 2006.
+    Step,
+    /// Round, over texels: a ray that falls may pierce the ground in the cone, but does not come out again. Source: Policarpo
+    /// and Oliveira, "Relaxed Cone Stepping for Relief Mapping", GPU Gems 3, 2007, chapter 18; which texels narrow the cone
+    /// after Bán, Valasek, Bálint and Vad, "Robust Cone Step Mapping", EGSR 2024.
+    Relaxed,
+    /// Square, over cells: from any point over a cell above its highest corner, the cone from there down to that height is free
+    /// of the bilinear surface. After Bán, Valasek, Bálint and Vad, "Robust Cone Step Mapping", EGSR 2024, whose cones are
+    /// round, stand on texels and are narrowed to the smallest of nine neighbours; the tip over a whole cell does the same.
+    Robust,
+}
+
+/// The cones of a map.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ConeMap {
+    /// Which.
+    pub cones: Cones,
+    /// Columns and rows: one for each texel. The last ones of a clamped map, where no cell begins, repeat those before.
+    pub size: [u32; 2],
+    /// Steps of the map to a unit of height: 1 for 8- and 16-bit maps; for floats the power of two that makes at most 65536 units
+    /// of the whole range.
+    pub unit: f64,
+    /// In [`RATIO`](super::RATIO) or [`SLOPE`](super::SLOPE), row by row.
+    pub codes: Vec<u16>,
+}
+
+impl ConeMap {
+    /// Builds it on all cores. `progress` is told, from any of them, how much is done and how much there is.
+    #[must_use]
+    pub fn new(heights: &Heights, cones: Cones, progress: &(dyn Fn(u64, u64) + Sync)) -> Self {
+        let stored = Stored { cones, unit: unit(heights.texels()) };
+        let codes = codes(&Ground::new(heights, cones), &stored, progress);
+        Self { cones, size: heights.size(), unit: stored.unit, codes }
+    }
+
+    /// Steps for each texel that a cone is steep: what the shader decodes, exactly.
+    ///
+    /// # Panics
+    /// If there is no such texel.
+    #[must_use]
+    pub fn slope(&self, x: u32, y: u32) -> f64 {
+        let code = self.codes[y as usize * self.size[0] as usize + x as usize];
+        Stored { cones: self.cones, unit: self.unit }.slope(code)
+    }
+
+    /// Bytes of the codes.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        size_of_val(&self.codes[..])
+    }
+}
+
+fn unit(texels: &Texels) -> f64 {
+    let Texels::F32(values) = texels else { return 1.0 };
+    let [low, high] = values
+        .iter()
+        .fold([f64::MAX, f64::MIN], |[low, high], value| [low.min(f64::from(*value)), high.max(f64::from(*value))]);
+    if high > low { ((high - low) / 65536.0).log2().ceil().exp2() } else { 1.0 }
+}

@@ -1,0 +1,21 @@
+//! Cone maps: for every texel or cell, the widest cone of empty space that stands on the ground there.
+//!
+//! A cone is as steep as the steepest way up from its tip. What is steepest is looked for in a quadtree of maxima, the nearest
+//! nodes first, and a node whose largest height would not be steeper stays closed: the result is that over all texels.
+
+mod code;
+mod falling;
+mod map;
+mod quadrant;
+mod report;
+mod rules;
+mod slopes;
+mod stored;
+
+pub use code::Format;
+pub use map::{ConeMap, Cones};
+pub use report::{Report, report};
+pub use stored::{RATIO, SLOPE};
+
+#[cfg(test)]
+mod tests;

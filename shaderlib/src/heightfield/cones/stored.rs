@@ -1,0 +1,47 @@
+//! How cones are stored.
+
+use super::code::Format;
+use super::map::Cones;
+
+/// How [`Cones::Step`] and [`Cones::Relaxed`] are stored: the ratio of a cone, texels for each unit of height, rounded down.
+pub const RATIO: Format = Format { least: -18 };
+
+/// How [`Cones::Robust`] is stored: the slope of a cone, units of height for each texel, rounded up.
+pub const SLOPE: Format = Format { least: -14 };
+
+/// What a robust cone is steeper than it need be, so that a shader's roundings cannot leave it.
+const MARGIN: f64 = 1.0 / 16384.0;
+
+/// More than f64 rounds in a few operations, and far less than a code.
+const ROUNDING: f64 = 1e-12;
+
+/// The way from slopes, in steps of the map for each texel, to codes and back.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Stored {
+    pub(super) cones: Cones,
+    /// Steps to a unit of height.
+    pub(super) unit: f64,
+}
+
+impl Stored {
+    pub(super) fn code(&self, slope: f64) -> u16 {
+        match self.cones {
+            Cones::Step | Cones::Relaxed => RATIO.down(self.unit / slope),
+            Cones::Robust => SLOPE.up(slope / self.unit * (1.0 + MARGIN)),
+        }
+    }
+
+    /// What a shader decodes.
+    pub(super) fn slope(&self, code: u16) -> f64 {
+        match self.cones {
+            Cones::Step | Cones::Relaxed => self.unit / f64::from(RATIO.value(code)),
+            Cones::Robust => self.unit * f64::from(SLOPE.value(code)),
+        }
+    }
+
+    /// No slope up to this has the code of a steeper one.
+    pub(super) fn ceiling(&self, code: u16) -> f64 {
+        let margin = if self.cones == Cones::Robust { MARGIN } else { 0.0 };
+        self.slope(code) / (1.0 + margin) * (1.0 - ROUNDING)
+    }
+}

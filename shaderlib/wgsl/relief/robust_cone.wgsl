@@ -1,0 +1,109 @@
+//! Robust cones with an exact end: two loops, one that goes from cone to cone over cells, and one that intersects patches.
+//!
+//! A cell stores the height of its highest corner and the slope of a cone: from any point over the cell, that high, the cone
+//! is free of the bilinear surface. The cone is square, as wide along the diagonal as its corners reach: with the larger of |x|
+//! and |y| as the measure of t, how far a ray is across is t itself, and over most cells that distance is linear, as the
+//! surface is, so that the bound is tight.
+//!
+//! Exact: where the ray is lower than the highest corner before it leaves the cell, its patch is intersected. Else the cell is
+//! free, and so is the ray up to where it leaves the cone; the farther of both is the next t, and intervals join without a gap.
+//! A cell's sides are whole numbers, and each step moves one of them on: to the neighbour beyond the nearer side or, if that is
+//! farther, to the cell at t. That cell may be off by what rounding moves the ray, less than 2^-22 of t; a cone is taken as
+//! much lower as it rises in that distance. Slopes are rounded up, and 2^-14 steeper than need be, which covers the step's own
+//! rounding.
+//! Source: Bán, Valasek, Bálint and Vad, "Robust Cone Step Mapping", EGSR 2024 (steps to the border of a cell, the smallest cone of the neighbours, conservative rounding); square cones over cells and the exact end: Terrane.
+
+/// How far a walk has come.
+struct RobustConeState {
+    /// The far sides of the cell, in texels from the base cell: whole numbers.
+    sides: vec2f,
+    /// Before this t there is no hit.
+    t: f32,
+    /// Where the ray leaves the cell.
+    leave: f32,
+    /// Cells visited.
+    steps: u32,
+    /// Whether the cell's patch may be hit.
+    stands: bool,
+}
+
+/// More than rounding moves a ray across, as a part of t: 2^-22.
+const ROBUST_CONE_ROUNDING: f32 = 2.384185791015625e-7;
+
+/// The first hit of a ray.
+fn robust_cone_trace(
+    heights: texture_2d_array<u32>,
+    bounds: texture_2d_array<u32>,
+    field: ReliefField,
+    ray: ReliefRay,
+) -> ReliefHit {
+    let frame = walk_frame(ray);
+    var state = RobustConeState(vec2f(1.0), 0.0, 0.0, 0u, false);
+    var leaves = 0u;
+    loop {
+        state = robust_cone_to_cell(bounds, field, frame, state);
+        if !state.stands {
+            break;
+        }
+        leaves++;
+        let sides = state.sides;
+        let cell = frame.base + vec2i(sides) - 1i;
+        let at = frame.origin + frame.direction * state.t;
+        let corners = relief_corners(heights, field, cell, frame.mirror);
+        let place = vec3f(at.xy - (sides - 1.0), at.z);
+        let t = state.t + relief_patch(corners, place, frame.direction, state.leave - state.t);
+        if t <= frame.end {
+            return ReliefHit(t, RELIEF_HIT, cell ^ frame.mirror, state.steps, leaves);
+        }
+        state.t = state.leave;
+        if state.t >= frame.end {
+            break;
+        }
+        state.sides = robust_cone_next(sides, sides * frame.inverse + frame.before);
+    }
+    let outcome = select(RELIEF_UNRESOLVED, RELIEF_MISS, state.t >= frame.end);
+    return ReliefHit(min(state.t, frame.end), outcome, vec2i(0), state.steps, leaves);
+}
+
+/// Goes from cone to cone until it stands on a cell that may be hit, is past the end, or has seen too many.
+fn robust_cone_to_cell(
+    bounds: texture_2d_array<u32>,
+    field: ReliefField,
+    frame: WalkFrame,
+    start: RobustConeState,
+) -> RobustConeState {
+    let falls = frame.direction.z < 0.0;
+    let across = max(frame.direction.x, frame.direction.y);
+    var state = start;
+    loop {
+        let cell = (frame.base + vec2i(state.sides) - 1i) ^ frame.mirror;
+        let cone = textureLoad(bounds, min(cell & field.wrap, field.last), field.layer, field.mip).rg;
+        let bound = f32(cone.x) + RELIEF_PAD;
+        // Five bits of exponent, from 2^-14, and eleven of mantissa.
+        let slope = bitcast<f32>((cone.y << 12u) + 0x38800000u);
+        let reach = state.sides * frame.inverse + frame.before;
+        state.leave = max(min(reach.x, reach.y), state.t);
+        let gap = frame.origin.z + frame.direction.z * state.t - bound;
+        let lowest = gap + frame.direction.z * select(0.0, state.leave - state.t, falls);
+        state.steps++;
+        state.stands = lowest <= 0.0;
+        if state.stands || state.steps >= field.limit {
+            break;
+        }
+        let free = gap - slope * ROBUST_CONE_ROUNDING * (state.t + 1.0);
+        // A ray that rises as steeply as the cone never leaves it.
+        let closing = max(slope * across - frame.direction.z, 1e-6);
+        state.t = max(state.t + free / closing, state.leave);
+        let at = floor(frame.origin.xy + frame.direction.xy * state.t) + 1.0;
+        state.sides = max(robust_cone_next(state.sides, reach), at);
+        if state.t >= frame.end {
+            break;
+        }
+    }
+    return state;
+}
+
+/// The far sides of the cell beyond the nearer side.
+fn robust_cone_next(sides: vec2f, reach: vec2f) -> vec2f {
+    return sides + select(vec2f(0.0, 1.0), vec2f(1.0, 0.0), reach.x <= reach.y);
+}
