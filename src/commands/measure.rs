@@ -89,7 +89,7 @@ impl Measure {
         let border = if self.clamp { Border::Clamp } else { Border::Wrap };
         let usage = |error: &dyn std::fmt::Display| Failure::Usage(format!("{}: {error}", path.display()));
         let subject = read(path, border).map_err(|error| usage(&error))?;
-        Placed::new(&subject.heights)
+        Placed::new(&subject.heights, Bounds::None, 1)
             .map_err(|error| usage(&format!("{error}, or give --clamp if it does not tile")))?;
         Ok(vec![subject])
     }

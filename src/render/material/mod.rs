@@ -4,6 +4,7 @@ mod decode;
 mod mips;
 mod upload;
 
+pub(crate) use decode::{Samples, open, samples};
 pub use decode::{Texels, decode};
 pub use mips::mip_chain;
 pub(super) use upload::MaterialGroup;
