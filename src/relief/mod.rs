@@ -7,12 +7,14 @@
 //! ```
 
 mod clock;
+mod lighting;
 mod method;
 mod setup;
 mod shader;
 mod texture;
 mod tracer;
 
+pub use lighting::{Lighter, Lighting, Scene, Seen, Turn};
 pub use method::Method;
 pub use setup::Segment;
 pub use shader::shader;

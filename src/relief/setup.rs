@@ -78,6 +78,12 @@ impl Setup {
         (first <= last).then(|| Self::between(heights, ray, first, last))
     }
 
+    /// All of a segment that begins over the map, as far as the map goes; nothing, if it begins elsewhere.
+    pub(super) fn along(heights: &Heights, Segment { ray, range }: &Segment) -> Self {
+        let (first, last) = domain(heights, ray, *range).unwrap_or((range.0, range.0));
+        Self::between(heights, ray, first, last)
+    }
+
     fn between(heights: &Heights, ray: &Ray, first: f64, last: f64) -> Self {
         let [x, y, z] = ray.direction.map(f64::abs);
         // A vertical ray is parametrised by its height, so that nothing overflows.

@@ -28,9 +28,14 @@ fn relief_main(@builtin(global_invocation_id) id: vec3u, @builtin(num_workgroups
 /// WGSL that traces rays from a buffer by a method: an entry point, and what it needs of the library.
 #[must_use]
 pub fn shader(method: Method) -> String {
+    with_call(&method.call(), "")
+}
+
+/// WGSL that calls what makes a `ReliefHit` of `ray`, with what `more` declares and what both need of the library.
+pub(super) fn with_call(call: &str, more: &str) -> String {
     let library =
         Library::load(&mut Sources::default(), &[]).expect("the shipped library is right, which its tests show");
-    let host = HOST.replace("CALL", &method.call());
+    let host = HOST.replace("CALL", call) + more;
     let items = library.closure(&host);
     let declarations = items.iter().map(|item| library.slice(*item).to_owned() + "\n");
     declarations.chain([host.clone()]).collect()

@@ -9,6 +9,7 @@ mod heights;
 pub mod oracle;
 pub mod pyramid;
 mod ray;
+pub mod visibility;
 
 pub use exact::{first_hit, visible};
 pub use heights::{Border, Heights, HeightsError, LARGEST_SIDE, Texels};
