@@ -2,12 +2,12 @@
 
 use std::time::Duration;
 
+use terrane_shaderlib::heightfield::Heights;
 use terrane_shaderlib::heightfield::Ray;
 use terrane_shaderlib::heightfield::visibility::Sun;
-use terrane_shaderlib::heightfield::Heights;
 use terrane_shaderlib::relief::{Bounds, Placed};
 
-use super::setup::{DeviceRay, Segment, Setup};
+use super::setup::{DeviceRay, LONGEST, Setup};
 use super::shader::with_call;
 use super::tracer::Tracer;
 use crate::render::{Gpu, RenderError};
@@ -75,20 +75,26 @@ impl Lighting {
     /// WGSL that answers it for points from a buffer: an entry point, and what it needs of the library.
     #[must_use]
     pub fn shader(self, scene: &Scene, lid: f64) -> String {
-        with_call(&self.call(scene, lid), SEEN)
+        let reach = float(scene.reach.min(LONGEST));
+        with_call(&self.call(scene, lid), &SEEN.replace("LIFT", &float(LIFT)).replace("REACH", &reach))
     }
 
     fn call(self, scene: &Scene, lid: f64) -> String {
         let (steps, radius, full) = (float(scene.steps), float(scene.sun.radius), float(lid));
-        let soft = format!("relief_field, ray, {steps}, {radius}");
+        let soft = format!("relief_field, relief_point(ray), {steps}, {radius}");
         match self {
-            Self::Hard => "relief_lit(shadow_hard_trace(relief_heights, relief_bounds, relief_field, ray))".into(),
-            Self::Parallax(samples) => {
-                format!("relief_seen(shadow_soft_parallax_share(relief_heights, {soft}, {samples}u))")
-            }
+            Self::Hard => format!(
+                "relief_lit(shadow_hard_trace(relief_heights, relief_bounds, relief_field, \
+                 shadow_under(relief_point(ray), {full})))"
+            ),
+            Self::Parallax(samples) => format!(
+                "relief_seen(shadow_soft_parallax_share(relief_heights, relief_field, \
+                 shadow_under(relief_point(ray), {full}), {steps}, {radius}, {samples}u))"
+            ),
             Self::Published => {
-                let reach = float(lid / scene.steps);
-                let light = format!("ray.direction.xy / length(ray.direction.xy) * {reach}");
+                // The listing's light vector is of length 1 in space, its scale the depth of the relief.
+                let reach = float(lid / scene.steps / scene.sun.tangent.hypot(1.0));
+                let light = format!("normalize(ray.direction.xy) * {reach}");
                 let weights = "array<f32, 5>(2.0, 1.7, 1.4, 1.2, 1.0)";
                 format!(
                     "relief_seen(shadow_fast_horizon_published(relief_heights, relief_field, ray.cell, ray.origin.xy, \
@@ -126,7 +132,7 @@ fn sky(directions: u32, turn: Turn, steps: &str) -> String {
     let normal = format!(
         "relief_normal(relief_corners(relief_heights, relief_field, ray.cell, vec2i(0)), ray.origin.xy, {steps})"
     );
-    format!("relief_field, ray, {normal}, {steps}, {turn}")
+    format!("relief_field, relief_point(ray), {normal}, {steps}, {turn}")
 }
 
 /// A literal of a finite number.
@@ -134,8 +140,15 @@ fn float(value: f64) -> String {
     format!("{:?}f", value as f32)
 }
 
-/// From what the library answers to what is stored.
+/// Steps above the surface at which a ray starts: at least twice what rounding moves it.
+pub const LIFT: f64 = 2.0;
+
+/// From what is stored to what the library asks for, and back.
 const SEEN: &str = "
+fn relief_point(ray: ReliefRay) -> ReliefRay {
+    return shadow_ray(relief_heights, relief_field, ray.cell, ray.origin.xy, ray.direction, LIFT, REACH);
+}
+
 fn relief_seen(seen: ShadowSeen) -> ReliefHit {
     return ReliefHit(seen.share, seen.state, vec2i(0), seen.steps, seen.leaves);
 }
@@ -151,9 +164,7 @@ fn relief_lit(hit: ReliefHit) -> ReliefHit {
 pub struct Lighter<'a> {
     tracer: Tracer<'a>,
     heights: &'a Heights,
-    lighting: Lighting,
     scene: Scene,
-    range: [f64; 2],
 }
 
 impl<'a> Lighter<'a> {
@@ -170,15 +181,14 @@ impl<'a> Lighter<'a> {
     ) -> Result<Self, RenderError> {
         let text = lighting.shader(&scene, placed.range[1]);
         let tracer = Tracer::compiled(gpu, heights, placed, &text)?;
-        Ok(Self { tracer, heights, lighting, scene, range: placed.range })
+        Ok(Self { tracer, heights, scene })
     }
 
-    /// What points see, x and y in texels, z in steps above the surface's, and how long the device took. A clamped map's points
-    /// are inside it.
+    /// What points of the surface see, and how long the device took. Positions in texels, on a clamped map inside it.
     ///
     /// # Errors
     /// [`RenderError::Lost`] where the device fails.
-    pub fn see(&self, points: &[[f64; 3]]) -> Result<(Vec<Seen>, Duration), RenderError> {
+    pub fn see(&self, points: &[[f64; 2]]) -> Result<(Vec<Seen>, Duration), RenderError> {
         let sent: Vec<DeviceRay> = points.iter().map(|point| self.ray(*point)).collect();
         if sent.is_empty() {
             return Ok((Vec::new(), Duration::ZERO));
@@ -192,14 +202,10 @@ impl<'a> Lighter<'a> {
         Ok((seen.collect(), time))
     }
 
-    /// The ray to the sun's middle, as long as the method looks.
-    fn ray(&self, origin: [f64; 3]) -> DeviceRay {
-        let Scene { sun, steps, reach } = self.scene;
-        let climb = sun.tangent * steps;
-        let ray = Ray { origin, direction: [sun.towards[0], sun.towards[1], climb] };
-        let lid = (self.range[1] + 1.0 - origin[2]).max(0.0) / climb.max(f64::MIN_POSITIVE);
-        let leaves = matches!(self.lighting, Lighting::Hard | Lighting::Parallax(_));
-        let end = if leaves { lid.min(reach) } else { reach };
-        Setup::along(self.heights, &Segment { ray, range: (0.0, end) }).ray
+    /// Where a point is, and the way to the sun's middle: the shader makes a ray of it.
+    fn ray(&self, [x, y]: [f64; 2]) -> DeviceRay {
+        let Sun { towards: [east, north], tangent, .. } = self.scene.sun;
+        let ray = Ray { origin: [x, y, 0.0], direction: [east, north, tangent * self.scene.steps] };
+        Setup::at(self.heights, &ray).ray
     }
 }

@@ -11,6 +11,8 @@ pub enum Method {
     Walk,
     /// `shaderlib/wgsl/relief/maximum_mipmaps.wgsl`.
     MaximumMipmaps,
+    /// `shaderlib/wgsl/relief/shadow_hard.wgsl`: the walk from the finest node up, for rays that leave the ground.
+    ShadowHard,
     /// `shaderlib/wgsl/relief/linear.wgsl`: steps, and halvings after them; 0 for one secant step (parallax occlusion mapping).
     Linear(u32, u32),
 }
@@ -26,7 +28,7 @@ impl Method {
     #[must_use]
     pub fn bounds(self) -> Bounds {
         match self {
-            Self::Walk | Self::MaximumMipmaps => Bounds::CellMax,
+            Self::Walk | Self::MaximumMipmaps | Self::ShadowHard => Bounds::CellMax,
             Self::Linear(..) => Bounds::None,
         }
     }
@@ -36,6 +38,7 @@ impl Method {
         match self {
             Self::Walk => "walk_trace(relief_heights, relief_bounds, relief_field, ray)".into(),
             Self::MaximumMipmaps => "maximum_mipmaps_trace(relief_heights, relief_bounds, relief_field, ray)".into(),
+            Self::ShadowHard => "shadow_hard_trace(relief_heights, relief_bounds, relief_field, ray)".into(),
             Self::Linear(steps, halvings) => {
                 format!("linear_trace(relief_heights, relief_field, ray, {steps}u, {halvings}u)")
             }
@@ -48,6 +51,7 @@ impl fmt::Display for Method {
         match self {
             Self::Walk => to.write_str("walk"),
             Self::MaximumMipmaps => to.write_str("maximum_mipmaps"),
+            Self::ShadowHard => to.write_str("shadow_hard"),
             Self::Linear(steps, 0) => write!(to, "linear_secant({steps})"),
             Self::Linear(steps, halvings) => write!(to, "linear_binary({steps}, {halvings})"),
         }

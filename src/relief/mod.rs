@@ -14,7 +14,7 @@ mod shader;
 mod texture;
 mod tracer;
 
-pub use lighting::{Lighter, Lighting, Scene, Seen, Turn};
+pub use lighting::{LIFT, Lighter, Lighting, Scene, Seen, Turn};
 pub use method::Method;
 pub use setup::Segment;
 pub use shader::shader;

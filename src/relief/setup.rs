@@ -58,7 +58,7 @@ fn domain(heights: &Heights, ray: &Ray, (mut first, mut last): (f64, f64)) -> Op
 }
 
 /// Longest path that a shader is sent on, in texels: whole numbers up to it are exact in f32, with room for a fraction.
-const LONGEST: f64 = 65_536.0;
+pub(super) const LONGEST: f64 = 65_536.0;
 
 impl Setup {
     /// The part of a ray inside the map's box and a range of t; `None` if there is none. `range` is lowest and highest
@@ -78,10 +78,9 @@ impl Setup {
         (first <= last).then(|| Self::between(heights, ray, first, last))
     }
 
-    /// All of a segment that begins over the map, as far as the map goes; nothing, if it begins elsewhere.
-    pub(super) fn along(heights: &Heights, Segment { ray, range }: &Segment) -> Self {
-        let (first, last) = domain(heights, ray, *range).unwrap_or((range.0, range.0));
-        Self::between(heights, ray, first, last)
+    /// Where a ray begins, and its direction.
+    pub(super) fn at(heights: &Heights, ray: &Ray) -> Self {
+        Self::between(heights, ray, 0.0, 0.0)
     }
 
     fn between(heights: &Heights, ray: &Ray, first: f64, last: f64) -> Self {

@@ -1,8 +1,8 @@
 //! The walk of a ray that leaves the ground, or grazes it: from the finest node up. Not a node.
 //!
-//! It starts in the cell of its origin, whose patch is looked at without asking for a bound. A rising ray that is clear of a
-//! node is in empty space that grows, so it goes on in the parent of the neighbour, whether or not it has crossed a border of
-//! that parent; nothing is looked at that is larger than the way so far asks for. State and arithmetic are those of `walk`.
+//! It starts in the cell of its origin, whose patch is looked at without asking for a bound, and goes up a level wherever it
+//! crosses a border of the parent: no node is looked at that is larger than the way so far asks for. State, order and arithmetic
+//! are those of `walk`; but for a ray that rises, it is where it enters a node that decides, so nothing is done about its exit.
 //! Source: Terrane; after Tevs, Ihrke and Seidel, "Maximum Mipmaps for Fast, Accurate, and Scalable Dynamic Height Field Rendering", I3D 2008.
 
 /// How far a walk has come.
@@ -34,7 +34,7 @@ fn climb_on(bounds: texture_2d<u32>, field: ReliefField, frame: WalkFrame, start
     var state = start;
     state.stands = false;
     state.t = start.leave;
-    state.node = climb_next(frame, field, start.node, start.node.sides * frame.inverse + frame.before);
+    state.node = walk_next(frame, field, start.node, start.node.sides * frame.inverse + frame.before);
     while state.t < frame.end && state.steps < field.limit {
         let node = state.node;
         let cell = (frame.base + vec2i(node.sides) - 1i) ^ frame.mirror;
@@ -49,7 +49,7 @@ fn climb_on(bounds: texture_2d<u32>, field: ReliefField, frame: WalkFrame, start
             break;
         }
         let down = walk_child(frame, node, state.t);
-        let on = climb_next(frame, field, node, reach);
+        let on = walk_next(frame, field, node, reach);
         state.node = WalkNode(
             select(down.sides, on.sides, clear),
             select(down.size, on.size, clear),
@@ -58,18 +58,4 @@ fn climb_on(bounds: texture_2d<u32>, field: ReliefField, frame: WalkFrame, start
         state.t = select(state.t, state.leave, clear);
     }
     return state;
-}
-
-/// The parent of the node beyond the nearer side.
-fn climb_next(frame: WalkFrame, field: ReliefField, node: WalkNode, reach: vec2f) -> WalkNode {
-    let along_x = reach.x <= reach.y;
-    let moved = node.sides + node.size * select(vec2f(0.0, 1.0), vec2f(1.0, 0.0), along_x);
-    let up = node.level < field.top;
-    let inner = ((frame.base + vec2i(moved)) & vec2i(1i << u32(node.level))) != vec2i(0);
-    let parent = moved + node.size * select(vec2f(0.0), vec2f(1.0), inner);
-    return WalkNode(
-        select(moved, parent, up),
-        select(node.size, 2.0 * node.size, up),
-        node.level + select(0i, 1i, up),
-    );
 }

@@ -40,8 +40,8 @@ fn horizon_search(
             let sides = state.node.sides;
             let cell = frame.base + vec2i(sides) - 1i;
             let corners = relief_corners(heights, field, cell, frame.mirror);
-            let from = frame.origin.xy - (sides - 1.0);
-            slope = horizon_patch(corners, vec3f(from, frame.origin.z), frame.direction.xy, state.t, state.leave);
+            let start = frame.origin.xy - (sides - 1.0);
+            slope = horizon_patch(corners, vec3f(start, frame.origin.z), frame.direction.xy, state.t, state.leave);
         }
         frame.direction.z = max(frame.direction.z, slope);
         if frame.direction.z >= enough {
@@ -54,19 +54,19 @@ fn horizon_search(
     return HorizonFound(frame.direction.z, done, state.steps, leaves);
 }
 
-/// The steepest line from `from`, in the cell's frame, to a patch that a ray passes over from t to `leave`.
+/// The steepest line from `start`, in the cell's frame, to a patch that a ray passes over from t to `leave`.
 ///
 /// The patch under the ray is a quadratic in t, and the slope to it `square t + linear + pole / t`: it is steepest at an end, or
 /// where square and pole are negative and their terms equal.
-fn horizon_patch(corners: vec4f, from: vec3f, direction: vec2f, t: f32, leave: f32) -> f32 {
+fn horizon_patch(corners: vec4f, start: vec3f, direction: vec2f, t: f32, leave: f32) -> f32 {
     let along = corners.yz - corners.x;
     let twist = corners.w - corners.y - along.y;
     let square = twist * direction.x * direction.y;
     // Around the middle of the way, so that little is subtracted from much.
     let middle = 0.5 * (t + leave);
     let half = 0.5 * (leave - t);
-    let at = from.xy + direction * middle;
-    let rise = corners.x + along.x * at.x + (along.y + twist * at.x) * at.y - from.z;
+    let at = start.xy + direction * middle;
+    let rise = corners.x + along.x * at.x + (along.y + twist * at.x) * at.y - start.z;
     let linear = dot(along, direction) + twist * (at.x * direction.y + at.y * direction.x);
     let ends = vec2f(-half, half);
     let heights = rise + ends * (linear + square * ends);

@@ -14,8 +14,8 @@ struct ShadowSeen {
 }
 
 /// The ray from a point of the surface to a light. `light` counts as positions do: x and y in texels, z in steps; its x and y
-/// are not both 0. The ray starts `lift` steps above the patch: two are enough for 16 bits, 1/128 for 8. It ends where it
-/// leaves the highest of the heights, `lid`, and after `reach` texels.
+/// are not both 0. The ray starts `lift` steps above the patch, since the ground itself is in its own shadow: two are enough for
+/// 16 bits, 1/128 for 8. It ends after `reach` texels.
 fn shadow_ray(
     heights: texture_2d<u32>,
     field: ReliefField,
@@ -23,23 +23,28 @@ fn shadow_ray(
     place: vec2f,
     light: vec3f,
     lift: f32,
-    lid: f32,
     reach: f32,
 ) -> ReliefRay {
     let corners = relief_corners(heights, field, cell, vec2i(0));
-    let height = mix(mix(corners.x, corners.y, place.x), mix(corners.z, corners.w, place.x), place.y) + lift;
+    let height = mix(mix(corners.x, corners.y, place.x), mix(corners.z, corners.w, place.x), place.y);
     let direction = light / max(abs(light.x), abs(light.y));
-    let rise = max(lid + 1.0 - height, 0.0) / max(direction.z, 1e-6);
-    let ray = ReliefRay(cell, vec3f(place, height), direction, min(rise, reach / length(direction.xy)));
+    let ray = ReliefRay(cell, vec3f(place, height + lift), direction, reach / length(direction.xy));
     return ReliefRay(cell, ray.origin, direction, shadow_end(field, ray));
+}
+
+/// A ray that rises, up to where it leaves the highest height, `lid`.
+fn shadow_under(ray: ReliefRay, lid: f32) -> ReliefRay {
+    let rise = max(lid + 1.0 - ray.origin.z, 0.0) / max(ray.direction.z, 1e-6);
+    return ReliefRay(ray.cell, ray.origin, ray.direction, min(ray.end, rise));
 }
 
 /// Where a ray ends on a map that ends: a little before the border, so that rounding does not lead beyond it.
 fn shadow_end(field: ReliefField, ray: ReliefRay) -> f32 {
     let start = vec2f(ray.cell) + ray.origin.xy;
     let far = select(vec2f(0.0), vec2f(field.last), ray.direction.xy > vec2f(0.0));
-    let way = max((far - start) / select(vec2f(RELIEF_LEAST), ray.direction.xy, abs(ray.direction.xy) > vec2f(RELIEF_LEAST)), vec2f(0.0));
-    let ends = select(vec2f(ray.end), min(way, vec2f(ray.end)), field.wrap < vec2i(0));
+    let moves = abs(ray.direction.xy) > vec2f(RELIEF_LEAST);
+    let way = (far - start) / select(vec2f(1.0), ray.direction.xy, moves);
+    let ends = select(vec2f(ray.end), clamp(way * 0.999999, vec2f(0.0), vec2f(ray.end)), moves && field.wrap < vec2i(0));
     return min(ends.x, ends.y);
 }
 

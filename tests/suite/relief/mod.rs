@@ -1,5 +1,8 @@
 //! Exact relief methods on the device against the reference in f64.
 
+mod figures;
+mod lighting;
+
 use terrane::relief::{Method, Outcome, Segment, Traced, Tracer, shader};
 use terrane::render::{Gpu, Selection};
 use terrane_shaderlib::heightfield::adversary::{AIMS, Case, Depth, LANDS, Random, Rays, SIZES, map};
@@ -89,6 +92,11 @@ fn maximum_mipmaps_are_exact() {
 }
 
 #[test]
+fn the_walk_from_the_finest_node_up_is_exact() {
+    exact(Method::ShadowHard);
+}
+
+#[test]
 fn linear_search_is_not_and_the_judge_sees_it() {
     let Some((count, faults)) = judge(Method::Linear(64, 0), 96, 1) else { return };
     assert!(faults.len() > count / 20, "{} of {count}", faults.len());
@@ -97,8 +105,10 @@ fn linear_search_is_not_and_the_judge_sees_it() {
 #[test]
 fn tint_accepts_every_method() {
     let Ok(mut tint) = Tint::start().map_err(Skip::report) else { return };
-    let methods = [Method::Walk, Method::MaximumMipmaps, Method::Linear(32, 0), Method::Linear(32, 6)];
-    let modules = methods.map(|method| Module::with_pipelines(method.to_string(), shader(method)));
+    let exact = [Method::Walk, Method::MaximumMipmaps, Method::ShadowHard];
+    let methods = exact.into_iter().chain([Method::Linear(32, 0), Method::Linear(32, 6)]);
+    let modules: Vec<Module> =
+        methods.map(|method| Module::with_pipelines(method.to_string(), shader(method))).collect();
     for report in tint.validate(&modules) {
         assert!(report.errors().is_empty(), "{}: {}", report.name, report.errors());
         assert!(!report.pipelines.is_empty(), "{}: no pipeline was tried", report.name);

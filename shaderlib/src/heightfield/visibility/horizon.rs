@@ -10,14 +10,18 @@ impl Visibility<'_> {
     /// is said: the map goes on, or far land does.
     #[must_use]
     pub fn horizon(&self, from: [f64; 3], towards: [f64; 2], reach: f64) -> f64 {
-        let path = Path::new(self.heights, from, towards, reach);
-        let steps = path.map_or(0.0, |path| self.walk(path));
-        steps / self.steps
+        self.horizon_above(0.0, from, towards, reach)
     }
 
-    fn walk(&self, path: Path) -> f64 {
+    /// The same; nothing less than `least` is said, and where that is much the search is short.
+    pub(super) fn horizon_above(&self, least: f64, from: [f64; 3], towards: [f64; 2], reach: f64) -> f64 {
+        let path = Path::new(self.heights, from, towards, reach);
+        path.map_or(least, |path| self.walk(path, least * self.steps) / self.steps)
+    }
+
+    fn walk(&self, path: Path, least: f64) -> f64 {
         let mut cell = path.cell;
-        let (mut t, mut steepest) = (0.0, 0.0_f64);
+        let (mut t, mut steepest) = (0.0, least);
         loop {
             let exits = [path.axes[0].exit(cell[0]), path.axes[1].exit(cell[1])];
             let axis = usize::from(exits[1] < exits[0]);

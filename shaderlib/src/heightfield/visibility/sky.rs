@@ -13,8 +13,8 @@ impl Visibility<'_> {
         let wedge = |index: u32| {
             let (sine, cosine) = (f64::from(index) * TAU / f64::from(azimuths)).sin_cos();
             let along = normal[0] * cosine + normal[1] * sine;
-            let horizon = self.horizon(from, [cosine, sine], reach);
-            wedge(along, normal[2], horizon.max(-along / normal[2]))
+            let least = (-along / normal[2]).max(0.0);
+            wedge(along, normal[2], self.horizon_above(least, from, [cosine, sine], reach))
         };
         (0..azimuths).map(wedge).sum::<f64>() / f64::from(azimuths)
     }

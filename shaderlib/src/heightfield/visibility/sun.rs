@@ -22,11 +22,7 @@ impl Sun {
     #[must_use]
     pub fn new(azimuth: f64, elevation: f64, radius: f64) -> Self {
         let (sine, cosine) = azimuth.to_radians().sin_cos();
-        Self {
-            towards: [cosine, sine],
-            tangent: elevation.to_radians().tan(),
-            radius: radius.to_radians().tan(),
-        }
+        Self { towards: [cosine, sine], tangent: elevation.to_radians().tan(), radius: radius.to_radians().tan() }
     }
 
     /// The way over the ground, of length 1, to a chord of the disc.
@@ -62,7 +58,8 @@ impl Visibility<'_> {
         let step = PI / f64::from(chords + 1);
         let part = |index: u32| {
             let (half, x) = (f64::from(index) * step).sin_cos();
-            let horizon = sun.height(self.horizon(from, sun.chord(x), reach));
+            let least = sun.tangent_at(-half).max(0.0);
+            let horizon = sun.height(self.horizon_above(least, from, sun.chord(x), reach));
             let seen = ((half - horizon) / (2.0 * half)).clamp(0.0, 1.0);
             2.0 / f64::from(chords + 1) * half * half * seen
         };
