@@ -72,7 +72,8 @@ impl Lighting {
         }
     }
 
-    /// WGSL that answers it for points from a buffer: an entry point, and what it needs of the library.
+    /// WGSL that answers it for points from a buffer: an entry point, and what it needs of the library. No texel is higher than
+    /// `lid`, in steps.
     #[must_use]
     pub fn shader(self, scene: &Scene, lid: f64) -> String {
         let reach = float(scene.reach.min(LONGEST));
@@ -80,7 +81,7 @@ impl Lighting {
     }
 
     fn call(self, scene: &Scene, lid: f64) -> String {
-        let (steps, radius, full) = (float(scene.steps), float(scene.sun.radius), float(lid));
+        let (steps, radius, full) = (float(scene.steps), float(scene.sun.radius), float(lid.max(1.0)));
         let soft = format!("relief_field, relief_point(ray), {steps}, {radius}");
         match self {
             Self::Hard => format!(

@@ -4,6 +4,7 @@
 //! Heights --Placed--> textures      the map and its bounds: `terrane_shaderlib::relief`
 //! Segment --Setup---> DeviceRay     cut to where the ground can be, in f32 from a whole cell
 //! Method  --Tracer--> Traced        WGSL of the library around one entry point
+//! points  --Lighter--> Seen         the same for shadow and occlusion
 //! ```
 
 mod clock;

@@ -69,7 +69,7 @@ fn module(gpu: &Gpu, text: &str) -> wgpu::ShaderModule {
         wgpu::ShaderModuleDescriptor { label: Some("relief"), source: wgpu::ShaderSource::Wgsl(text.into()) };
     // SAFETY: the text is the library's own. Every loop ends: they count nodes up to a limit, or steps. Indices of buffers
     // are compared with their length; texels are masked into a map that wraps, and held inside one that does not, over
-    // which rays are cut to the map before they are sent.
+    // which rays are cut to the map before they are sent, or where the shader turns them.
     unsafe { gpu.device.create_shader_module_trusted(descriptor, wgpu::ShaderRuntimeChecks::unchecked()) }
 }
 

@@ -1,9 +1,10 @@
 //! Shadow and occlusion on the device against dense visibility in f64.
 
+use rayon::prelude::*;
 use terrane::measure::{Subject, built_in};
 use terrane::relief::{LIFT, Lighter, Lighting, Method, Scene, Seen, Segment, Tracer, Turn};
 use terrane::render::Gpu;
-use terrane_shaderlib::heightfield::adversary::{Depth, LANDS, Random, map};
+use terrane_shaderlib::heightfield::adversary::{Depth, LANDS, Land, Random, map};
 use terrane_shaderlib::heightfield::visibility::{Sun, Visibility};
 use terrane_shaderlib::heightfield::{Border, Heights, Ray, Texels};
 use terrane_shaderlib::relief::{Bounds, Placed};
@@ -14,6 +15,9 @@ use crate::tint::{Module, Tint};
 
 /// How deep the built-in maps are here, over their side.
 const DEPTH: f64 = 0.05;
+
+/// Chords of the sun's disc in the reference.
+const CHORDS: u32 = 24;
 
 /// A map under a sun, and what is known of it.
 pub(super) struct Place<'a> {
@@ -52,7 +56,7 @@ impl<'a> Place<'a> {
     pub(super) fn sun_shares(&self, points: &[[f64; 2]], chords: u32) -> Vec<f64> {
         let share =
             |at: &[f64; 2]| self.visibility.sun_share(self.raised(*at), &self.scene.sun, chords, self.scene.reach);
-        points.iter().map(share).collect()
+        points.par_iter().map(share).collect()
     }
 
     pub(super) fn sky_shares(&self, points: &[[f64; 2]], azimuths: u32) -> Vec<f64> {
@@ -60,7 +64,7 @@ impl<'a> Place<'a> {
             let normal = self.visibility.normal(at[0], at[1]);
             self.visibility.sky_share(self.raised(*at), normal, azimuths, self.scene.reach)
         };
-        points.iter().map(share).collect()
+        points.par_iter().map(share).collect()
     }
 
     pub(super) fn seen(&self, gpu: &Gpu, lighting: Lighting, points: &[[f64; 2]]) -> Vec<Seen> {
@@ -155,7 +159,7 @@ fn a_lower_sun_never_lights_more() {
 fn sun_error(gpu: &Gpu, subject: &Subject, sun: Sun, lighting: Lighting) -> (f64, usize) {
     let place = Place::new(subject, sun);
     let points = place.facing(32);
-    let truth = place.sun_shares(&points, 24);
+    let truth = place.sun_shares(&points, CHORDS);
     let partly = truth.iter().filter(|share| (0.01..0.99).contains(*share)).count();
     (rmse(&differences(&place.seen(gpu, lighting, &points), &truth)), partly)
 }
@@ -164,9 +168,14 @@ fn sun_error(gpu: &Gpu, subject: &Subject, sun: Sun, lighting: Lighting) -> (f64
 fn soft_shadows_are_those_of_the_disc() {
     let Some(gpu) = device() else { return };
     let mut penumbra = 0;
-    for subject in subjects(128) {
+    let ends = map(Land::Cracks, [100, 36], Border::Clamp, Depth::Sixteen, 2).expect("a size that maps have");
+    let ends = Subject { name: "cracks that end".into(), heights: ends, full: 65535.0 };
+    for subject in subjects(128).into_iter().chain([ends]) {
+        // A tip is narrower than the sun: a plane passes it or does not, so there each chord of the reference has its own.
+        let tips = ["needles", "noise"].contains(&subject.name.as_str());
         // The sun; and a light ten times as wide, whose azimuths differ enough to need planes of their own.
         for (elevation, radius, planes) in [(30.0, 0.27, 1), (15.0, 0.27, 1), (30.0, 3.0, 5)] {
+            let planes = if tips { CHORDS } else { planes };
             let lighting = Lighting::Cone(planes, 0.0);
             let (error, partly) = sun_error(&gpu, &subject, Sun::new(34.0, elevation, radius), lighting);
             assert!(error <= 0.02, "{} at {elevation}: {lighting:?} is off by {error}", subject.name);
@@ -184,7 +193,7 @@ fn a_coarse_cone_is_never_too_bright() {
         let place = Place::new(&subject, Sun::new(34.0, 20.0, 3.0));
         let points = place.facing(32);
         let exact = place.seen(&gpu, Lighting::Cone(3, 0.0), &points);
-        let coarse = place.seen(&gpu, Lighting::Cone(3, 1.0), &points);
+        let coarse = place.seen(&gpu, Lighting::Cone(3, 16.0), &points);
         for (coarse, exact) in coarse.iter().zip(&exact) {
             let (coarse, exact) = (coarse.share.expect("resolved"), exact.share.expect("resolved"));
             assert!(coarse <= exact + 1e-3, "{}: {coarse}, exactly {exact}", subject.name);
@@ -264,14 +273,14 @@ fn light_leaks_past_what_the_fast_horizon_averages_away() {
 #[test]
 fn the_published_horizon_darkens_what_the_sun_passes_over() {
     let Some(gpu) = device() else { return };
-    // A step of a fifth of the depth on one side, which a sun at 60° clears by far.
+    // A step of 1.5 texels, 1.6 away: its edge stands at 42°, and a sun at 60° clears it.
     let mut texels = vec![20000; 64 * 64];
-    (0..64 * 64).filter(|index| index % 64 > 21).for_each(|index| texels[index] = 40000);
+    (0..64 * 64).filter(|index| index % 64 > 21).for_each(|index| texels[index] = 50000);
     texels[63 * 64 + 63] = u16::MAX;
     let heights = Heights::new([64, 64], Border::Wrap, Texels::U16(texels)).expect("as many texels as its size says");
     let subject = Subject { name: "step".into(), heights, full: 65535.0 };
     let place = Place::new(&subject, Sun::new(0.0, 60.0, 0.27));
-    let points = [[19.5, 30.0]];
+    let points = [[20.4, 30.0]];
     let seen = place.seen(&gpu, Lighting::Published, &points)[0].share.expect("resolved");
     assert!(place.sun_shares(&points, 24)[0] > 1.0 - 1e-9 && seen < 0.9, "{seen}");
 }
