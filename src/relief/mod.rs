@@ -5,10 +5,12 @@
 //! Segment --Setup---> DeviceRay     cut to where the ground can be, in f32 from a whole cell
 //! Method  --Tracer--> Traced        WGSL of the library around one entry point
 //! Heights --Built---> textures      the same as `Placed`, made on the device
+//! points  --Lighter--> Seen         the same for shadow and occlusion
 //! ```
 
 mod build;
 mod clock;
+mod lighting;
 mod setup;
 mod shader;
 mod texture;
@@ -16,6 +18,7 @@ mod tracer;
 
 pub use build::Built;
 pub use clock::Timing;
+pub use lighting::{LIFT, Lighter, Lighting, Scene, Seen, Turn};
 pub use setup::{DeviceRay, Segment, Setup};
 pub use shader::{shader, tiled_shader};
 pub use tracer::{Outcome, Traced, Tracer};

@@ -99,7 +99,7 @@ impl Place {
 }
 
 /// Longest path that a shader is sent on, in texels: whole numbers up to it are exact in f32, with room for a fraction.
-const LONGEST: f64 = 65_536.0;
+pub(super) const LONGEST: f64 = 65_536.0;
 
 impl Setup {
     /// The part of a ray inside the map's box and a range of t; `None` if there is none. `range` is lowest and highest
@@ -118,6 +118,11 @@ impl Setup {
             _ => (first, last),
         };
         (first <= last).then(|| Self::between(heights, ray, first, last))
+    }
+
+    /// Where a ray begins, and its direction.
+    pub(super) fn at(heights: &Heights, ray: &Ray) -> Self {
+        Self::between(heights, ray, 0.0, 0.0)
     }
 
     fn between(heights: &Heights, ray: &Ray, first: f64, last: f64) -> Self {

@@ -60,7 +60,7 @@ fn relief_over_tile(relief_field: ReliefField, ray: ReliefRay) -> ReliefHit {
 /// ray is `relief_found(field, ray)`, with the textures `relief_heights` and `relief_bounds`.
 #[must_use]
 pub fn shader(method: Method) -> String {
-    around(&WHOLE.replace("CALL", &call(method)))
+    with_call(&call(method), "")
 }
 
 /// The same over a map that is placed to be traced tile by tile.
@@ -71,6 +71,11 @@ pub fn tiled_shader(method: Method) -> String {
 
 fn call(method: Method) -> String {
     method.call("relief_heights", "relief_bounds", "relief_field", "ray")
+}
+
+/// WGSL that calls what makes a `ReliefHit` of `ray`, with what `more` declares and what both need of the library.
+pub(super) fn with_call(call: &str, more: &str) -> String {
+    around(&(WHOLE.replace("CALL", call) + more))
 }
 
 fn around(found: &str) -> String {
@@ -110,7 +115,7 @@ fn module(gpu: &Gpu, text: &str) -> wgpu::ShaderModule {
         wgpu::ShaderModuleDescriptor { label: Some("relief"), source: wgpu::ShaderSource::Wgsl(text.into()) };
     // SAFETY: the text is the library's own. Every loop ends: they count nodes up to a limit, or steps. Indices of buffers
     // are compared with their length; texels are masked into a map that wraps, and held inside one that does not, over
-    // which rays are cut to the map before they are sent.
+    // which rays are cut to the map before they are sent, or where the shader turns them.
     unsafe { gpu.device.create_shader_module_trusted(descriptor, wgpu::ShaderRuntimeChecks::unchecked()) }
 }
 

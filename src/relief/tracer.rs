@@ -53,12 +53,12 @@ pub struct Tracer<'a> {
 
 #[repr(C)]
 #[derive(Clone, Copy, Pod, Zeroable)]
-struct DeviceHit {
-    t: f32,
-    state: u32,
+pub(super) struct DeviceHit {
+    pub(super) t: f32,
+    pub(super) state: u32,
     cell: [i32; 2],
-    steps: u32,
-    leaves: u32,
+    pub(super) steps: u32,
+    pub(super) leaves: u32,
 }
 
 /// Work groups in a row of a dispatch: WebGPU promises 65535.
@@ -71,7 +71,18 @@ impl<'a> Tracer<'a> {
     /// [`RenderError::Refused`] where the device takes no part of it.
     pub fn new(gpu: &'a Gpu, heights: &'a Heights, placed: &Placed, method: Method) -> Result<Self, RenderError> {
         let text = if placed.tiled { tiled_shader(method) } else { shader(method) };
-        let pipeline = gpu.checked("relief's pipeline", || pipeline(gpu, &text))?;
+        Self::compiled(gpu, heights, placed, method, &text)
+    }
+
+    /// The same for any text with the entry point and the bindings of a method's, over that method's bounds.
+    pub(super) fn compiled(
+        gpu: &'a Gpu,
+        heights: &'a Heights,
+        placed: &Placed,
+        method: Method,
+        text: &str,
+    ) -> Result<Self, RenderError> {
+        let pipeline = gpu.checked("relief's pipeline", || pipeline(gpu, text))?;
         Self::with(gpu, heights, placed, method, pipeline)
     }
 
@@ -146,7 +157,8 @@ impl<'a> Tracer<'a> {
         Ok((traced.collect(), time))
     }
 
-    fn run(&self, rays: &[DeviceRay]) -> Result<(Vec<DeviceHit>, Duration), RenderError> {
+    /// One answer for each ray.
+    pub(super) fn run(&self, rays: &[DeviceRay]) -> Result<(Vec<DeviceHit>, Duration), RenderError> {
         let device = &self.gpu.device;
         let size = (rays.len() * size_of::<DeviceHit>()) as u64;
         let sent = device.create_buffer_init(&BufferInitDescriptor {

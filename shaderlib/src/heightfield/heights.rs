@@ -124,6 +124,12 @@ impl Heights {
         [self.height(x, y), self.height(x + 1, y), self.height(x, y + 1), self.height(x + 1, y + 1)]
     }
 
+    /// The largest height. Looks at every texel.
+    #[must_use]
+    pub fn highest(&self) -> f64 {
+        self.texels.highest()
+    }
+
     /// The surface at a position in texels.
     #[must_use]
     pub fn surface(&self, x: f64, y: f64) -> f64 {
@@ -140,6 +146,14 @@ impl Texels {
             Self::U8(values) => values.len(),
             Self::U16(values) => values.len(),
             Self::F32(values) => values.len(),
+        }
+    }
+
+    fn highest(&self) -> f64 {
+        match self {
+            Self::U8(values) => values.iter().max().map_or(0.0, |value| f64::from(*value)),
+            Self::U16(values) => values.iter().max().map_or(0.0, |value| f64::from(*value)),
+            Self::F32(values) => values.iter().fold(f64::NEG_INFINITY, |top, value| top.max(f64::from(*value))),
         }
     }
 

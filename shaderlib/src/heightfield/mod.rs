@@ -11,6 +11,7 @@ pub mod oracle;
 pub mod pyramid;
 mod quantise;
 mod ray;
+pub mod visibility;
 
 pub use exact::{first_hit, visible};
 pub use heights::{Border, Heights, HeightsError, LARGEST_SIDE, Texels};

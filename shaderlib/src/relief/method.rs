@@ -12,6 +12,8 @@ pub enum Method {
     Walk,
     /// `shaderlib/wgsl/relief/maximum_mipmaps.wgsl`.
     MaximumMipmaps,
+    /// `shaderlib/wgsl/relief/shadow_hard.wgsl`: the walk from the finest node up, for rays that leave the ground.
+    ShadowHard,
     /// `shaderlib/wgsl/relief/linear.wgsl`: steps, and halvings after them; 0 for one secant step (parallax occlusion mapping).
     Linear(u32, u32),
     /// `shaderlib/wgsl/relief/parallax_offset.wgsl`: a texel is as wide as so many steps are high.
@@ -46,9 +48,11 @@ impl Method {
     #[must_use]
     pub fn bounds(self) -> Bounds {
         match self {
-            Self::Walk | Self::MaximumMipmaps | Self::QuadtreeDisplacementRepaired | Self::QuadtreeReliefExact => {
-                Bounds::CellMax
-            }
+            Self::Walk
+            | Self::MaximumMipmaps
+            | Self::ShadowHard
+            | Self::QuadtreeDisplacementRepaired
+            | Self::QuadtreeReliefExact => Bounds::CellMax,
             Self::QuadtreeDisplacement(_) | Self::QuadtreeRelief(_) => Bounds::TexelMax,
             Self::Linear(..) | Self::ParallaxOffset(_) => Bounds::None,
             Self::RobustCone => Bounds::Cones(Cones::Robust),
@@ -64,6 +68,7 @@ impl Method {
         match self {
             Self::Walk => exact("walk_trace"),
             Self::MaximumMipmaps => exact("maximum_mipmaps_trace"),
+            Self::ShadowHard => exact("shadow_hard_trace"),
             Self::RobustCone => exact("robust_cone_trace"),
             Self::ConeStep(steps) => format!("cone_step_trace({heights}, {bounds}, {field}, {ray}, {steps}u)"),
             Self::RelaxedCone(steps, halvings) => {
@@ -88,6 +93,7 @@ impl fmt::Display for Method {
         match self {
             Self::Walk => to.write_str("walk"),
             Self::MaximumMipmaps => to.write_str("maximum_mipmaps"),
+            Self::ShadowHard => to.write_str("shadow_hard"),
             Self::RobustCone => to.write_str("robust_cone"),
             Self::ConeStep(0) => to.write_str("cone_step"),
             Self::ConeStep(steps) => write!(to, "cone_step({steps})"),

@@ -106,3 +106,10 @@ fn relief_patch(corners: vec4f, place: vec3f, direction: vec3f, span: f32) -> f3
     let met = square >= 0.0 && under > 0.0 && t <= span;
     return select(select(RELIEF_NEVER, t, met), 0.0, a0 <= 0.0);
 }
+
+/// The normal of a cell's patch at a place in it, z up, of length 1; `steps` of height are as long as a texel is wide.
+fn relief_normal(corners: vec4f, place: vec2f, steps: f32) -> vec3f {
+    let along = corners.yz - corners.x;
+    let twist = corners.w - corners.y - along.y;
+    return normalize(vec3f(-(along + twist * place.yx), steps));
+}

@@ -3,6 +3,8 @@
 mod build;
 mod defects;
 mod displacement;
+mod figures;
+mod lighting;
 mod machine;
 mod metamorphic;
 mod scene;
@@ -116,6 +118,11 @@ fn a_search_that_is_cut_short_says_so() {
 }
 
 #[test]
+fn the_walk_from_the_finest_node_up_is_exact() {
+    exact(Method::ShadowHard);
+}
+
+#[test]
 fn linear_search_is_not_and_the_judge_sees_it() {
     let Some((count, faults)) = judge(Method::Linear(64, 0), 96, 1) else { return };
     assert!(faults.len() > count / 20, "{} of {count}", faults.len());
@@ -128,6 +135,7 @@ fn tint_accepts_every_method() {
     let methods = [
         Method::Walk,
         Method::MaximumMipmaps,
+        Method::ShadowHard,
         Method::Linear(32, 0),
         Method::Linear(32, 6),
         Method::ParallaxOffset(1280),

@@ -2,7 +2,7 @@
 
 /// `base + fraction + t rate`: the whole cells apart from the fraction, which keeps all its bits wherever the ray is.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Axis {
+pub(in crate::heightfield) struct Axis {
     base: i64,
     fraction: f64,
     rate: f64,
@@ -13,44 +13,44 @@ const FARTHEST: f64 = (1_u64 << 52) as f64;
 
 impl Axis {
     /// Of a coordinate and its rate, unless it begins too far away.
-    pub(super) fn new(origin: f64, rate: f64) -> Option<Self> {
+    pub(in crate::heightfield) fn new(origin: f64, rate: f64) -> Option<Self> {
         let base = origin.floor();
         (origin.abs() < FARTHEST).then_some(Self { base: base as i64, fraction: origin - base, rate })
     }
 
-    pub(super) fn rate(&self) -> f64 {
+    pub(in crate::heightfield) fn rate(&self) -> f64 {
         self.rate
     }
 
     /// +1 or −1: the way from cell to cell.
-    pub(super) fn step(&self) -> i64 {
+    pub(in crate::heightfield) fn step(&self) -> i64 {
         if self.rate < 0.0 { -1 } else { 1 }
     }
 
     /// When the coordinate is a whole number: one rounding of the distance, one of the quotient. Not for rate 0.
-    pub(super) fn time(&self, plane: i64) -> f64 {
+    pub(in crate::heightfield) fn time(&self, plane: i64) -> f64 {
         ((plane - self.base) as f64 - self.fraction) / self.rate
     }
 
     /// When the ray leaves a cell: never, if it keeps the coordinate.
-    pub(super) fn exit(&self, cell: i64) -> f64 {
+    pub(in crate::heightfield) fn exit(&self, cell: i64) -> f64 {
         if self.rate == 0.0 { f64::INFINITY } else { self.time(cell + i64::from(self.rate > 0.0)) }
     }
 
     /// From the corner of a cell. The product is not rounded, so that the result has no more than an ulp of 1 as error.
-    pub(super) fn within(&self, cell: i64, t: f64) -> f64 {
+    pub(in crate::heightfield) fn within(&self, cell: i64, t: f64) -> f64 {
         t.mul_add(self.rate, -((cell - self.base) as f64)) + self.fraction
     }
 
     /// The cell at t, to begin a walk in; none too far away. After that a cell is state, stepped and never looked for:
     /// rounding may give a neighbour here, whose patch is the same on the border.
-    pub(super) fn cell(&self, t: f64) -> Option<i64> {
+    pub(in crate::heightfield) fn cell(&self, t: f64) -> Option<i64> {
         let way = t.mul_add(self.rate, self.fraction).floor();
         (way.abs() < FARTHEST).then_some(self.base + way as i64)
     }
 
     /// The times at which the coordinate is in 0..last; none where it never is.
-    pub(super) fn inside(&self, last: i64) -> Option<(f64, f64)> {
+    pub(in crate::heightfield) fn inside(&self, last: i64) -> Option<(f64, f64)> {
         if self.rate == 0.0 {
             let place = self.base as f64 + self.fraction;
             return (0.0..=last as f64).contains(&place).then_some((f64::NEG_INFINITY, f64::INFINITY));

@@ -8,7 +8,9 @@ mod path;
 mod quadratic;
 
 use path::Path;
-use quadratic::Quadratic;
+
+pub(super) use axis::Axis;
+pub(super) use quadratic::Quadratic;
 
 use super::{Heights, Hit, Ray};
 

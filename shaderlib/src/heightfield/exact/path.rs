@@ -1,7 +1,7 @@
 //! The part of a ray that is worth walking.
 
 use super::axis::Axis;
-use crate::heightfield::{Border, Heights, Ray, Texels};
+use crate::heightfield::{Border, Heights, Ray};
 
 /// A ray whose direction is scaled by a power of two, so that its largest component is in 1..2 and nothing under- or
 /// overflows; and the times, in the scaled unit, between which there may be ground.
@@ -55,7 +55,7 @@ impl Path {
         if cells.is_nan() || cells <= width * height {
             return Some(self);
         }
-        let top = top(heights.texels());
+        let top = heights.highest();
         if self.climb == 0.0 {
             return (self.height <= top).then_some(self);
         }
@@ -74,12 +74,4 @@ fn unit(direction: [f64; 3]) -> [f64; 2] {
     let largest = direction.into_iter().fold(0.0, |largest: f64, rate| largest.max(rate.abs()));
     let exponent = if largest == 0.0 { 0 } else { -(largest.log2().floor() as i32) };
     [2_f64.powi(exponent / 2), 2_f64.powi(exponent - exponent / 2)]
-}
-
-fn top(texels: &Texels) -> f64 {
-    match texels {
-        Texels::U8(values) => values.iter().max().map_or(0.0, |value| f64::from(*value)),
-        Texels::U16(values) => values.iter().max().map_or(0.0, |value| f64::from(*value)),
-        Texels::F32(values) => values.iter().fold(f64::NEG_INFINITY, |top, value| top.max(f64::from(*value))),
-    }
 }

@@ -2,15 +2,15 @@
 
 /// The height at s past the entry to a cell: a polynomial of degree 2, because the patch is bilinear.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Quadratic {
-    pub(super) constant: f64,
-    pub(super) linear: f64,
-    pub(super) square: f64,
+pub(in crate::heightfield) struct Quadratic {
+    pub(in crate::heightfield) constant: f64,
+    pub(in crate::heightfield) linear: f64,
+    pub(in crate::heightfield) square: f64,
 }
 
 impl Quadratic {
     /// Over the patch through `corners`, from a point `at` (in the cell, and its height) along a direction.
-    pub(super) fn new(corners: [f64; 4], at: [f64; 3], direction: [f64; 3]) -> Self {
+    pub(in crate::heightfield) fn new(corners: [f64; 4], at: [f64; 3], direction: [f64; 3]) -> Self {
         let ([a, b, c, d], [u, v, z], [dx, dy, dz]) = (corners, at, direction);
         let (x, y, both) = (b - a, c - a, (a - b) + (d - c));
         Self {
@@ -21,7 +21,7 @@ impl Quadratic {
     }
 
     /// The first s in 0..end at which the ray is on the patch or below.
-    pub(super) fn first(&self, end: f64) -> Option<f64> {
+    pub(in crate::heightfield) fn first(&self, end: f64) -> Option<f64> {
         if self.constant <= 0.0 {
             return Some(0.0);
         }
@@ -30,7 +30,8 @@ impl Quadratic {
         within.reduce(f64::min).or_else(|| (self.at(end) <= 0.0).then_some(end))
     }
 
-    fn at(&self, s: f64) -> f64 {
+    /// At s.
+    pub(in crate::heightfield) fn at(&self, s: f64) -> f64 {
         self.constant + s * (self.linear + s * self.square)
     }
 

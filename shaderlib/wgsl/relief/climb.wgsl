@@ -1,0 +1,61 @@
+//! The walk of a ray that leaves the ground, or grazes it: from the finest node up. Not a node.
+//!
+//! It starts in the cell of its origin, whose patch is looked at without asking for a bound, and goes up a level wherever it
+//! crosses a border of the parent: no node is looked at that is larger than the way so far asks for. State, order and arithmetic
+//! are those of `walk`; but for a ray that rises, it is where it enters a node that decides, so nothing is done about its exit.
+//! Source: Terrane; after Tevs, Ihrke and Seidel, "Maximum Mipmaps for Fast, Accurate, and Scalable Dynamic Height Field Rendering", I3D 2008.
+
+/// How far a walk has come.
+struct ClimbState {
+    /// Where it is.
+    node: WalkNode,
+    /// Before this t nothing is in the way.
+    t: f32,
+    /// Where the ray leaves the node.
+    leave: f32,
+    /// The largest height over the node, in steps; not asked for in the first cell.
+    bound: f32,
+    /// Nodes whose bounds were read.
+    steps: u32,
+    /// Whether something may be in the way in this node, and it is to be looked at as it is.
+    stands: bool,
+}
+
+/// The start: in the first cell, up to its far side.
+fn climb_start(frame: WalkFrame) -> ClimbState {
+    let reach = frame.inverse + frame.before;
+    return ClimbState(WalkNode(vec2f(1.0), 1.0, 0i), 0.0, max(min(reach.x, reach.y), 0.0), 0.0, 0u, true);
+}
+
+/// Leaves the node, and walks until it stands in one where something may be in the way, is past the end, or has seen too many.
+/// It stands in cells, and in nodes not larger than `coarse` times their t.
+fn climb_on(bounds: texture_2d_array<u32>, field: ReliefField, frame: WalkFrame, start: ClimbState, coarse: f32) -> ClimbState {
+    let falls = frame.direction.z < 0.0;
+    var state = start;
+    state.stands = false;
+    state.t = start.leave;
+    state.node = walk_next(frame, field, start.node, start.node.sides * frame.inverse + frame.before);
+    while state.t < frame.end && state.steps < field.limit {
+        let node = state.node;
+        let cell = (frame.base + vec2i(node.sides) - 1i) ^ frame.mirror;
+        state.bound = relief_bound(bounds, field, cell, node.level);
+        let reach = node.sides * frame.inverse + frame.before;
+        state.leave = max(min(reach.x, reach.y), state.t);
+        state.steps++;
+        let lowest = frame.origin.z + frame.direction.z * select(state.t, state.leave, falls);
+        let clear = lowest > state.bound + RELIEF_PAD;
+        state.stands = !clear && (node.level == 0i || node.size <= coarse * state.t);
+        if state.stands {
+            break;
+        }
+        let down = walk_child(frame, node, state.t);
+        let on = walk_next(frame, field, node, reach);
+        state.node = WalkNode(
+            select(down.sides, on.sides, clear),
+            select(down.size, on.size, clear),
+            select(down.level, on.level, clear),
+        );
+        state.t = select(state.t, state.leave, clear);
+    }
+    return state;
+}

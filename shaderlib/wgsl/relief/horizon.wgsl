@@ -1,0 +1,80 @@
+//! How high the land stands in one direction: the steepest line of sight, found by branch and bound in the quadtree of maxima.
+//! Not a node.
+//!
+//! The ray that is traced is the horizon so far. A node that it clears can only hold what lies under it; in a cell that it does
+//! not clear it is raised to the steepest line of the patch, in closed form, and goes on from there. So each cell is asked
+//! once, in order, and what is found is exact but for rounding.
+//! Source: Terrane; the notion of a horizon after Max, "Horizon mapping: shadows for bump-mapped surfaces", The Visual Computer 1988.
+
+/// What a search found.
+struct HorizonFound {
+    /// Steps for each t of the steepest line of sight; not less than that of the search's ray.
+    slope: f32,
+    /// Whether the search came to its end.
+    done: bool,
+    /// Nodes visited.
+    steps: u32,
+    /// Patches looked at.
+    leaves: u32,
+}
+
+/// The horizon along a ray that starts above the ground. Its own slope, not below 0, is the least that matters, and the search
+/// ends at one of `enough`. No texel is higher than `lid`. A node that is not larger than `coarse` times its distance stands for
+/// all in it: with more than 0 the answer is faster and, if anything, too high.
+fn horizon_search(
+    heights: texture_2d_array<u32>,
+    bounds: texture_2d_array<u32>,
+    field: ReliefField,
+    ray: ReliefRay,
+    enough: f32,
+    lid: f32,
+    coarse: f32,
+) -> HorizonFound {
+    var frame = walk_frame(ray);
+    var state = climb_start(frame);
+    var leaves = 0u;
+    while state.stands {
+        var slope = (state.bound - frame.origin.z) / max(state.t, 1e-6);
+        if state.node.level == 0i {
+            leaves++;
+            let sides = state.node.sides;
+            let cell = frame.base + vec2i(sides) - 1i;
+            let corners = relief_corners(heights, field, cell, frame.mirror);
+            let start = frame.origin.xy - (sides - 1.0);
+            slope = horizon_patch(corners, vec3f(start, frame.origin.z), frame.direction.xy, state.t, state.leave);
+        }
+        frame.direction.z = max(frame.direction.z, slope);
+        if frame.direction.z >= enough {
+            break;
+        }
+        frame.end = min(ray.end, max(lid - frame.origin.z, 0.0) / max(frame.direction.z, 1e-6));
+        state = climb_on(bounds, field, frame, state, coarse);
+    }
+    let done = state.t >= frame.end || frame.direction.z >= enough;
+    return HorizonFound(frame.direction.z, done, state.steps, leaves);
+}
+
+/// The steepest line from `start`, in the cell's frame, to a patch that a ray passes over from t to `leave`.
+///
+/// The patch under the ray is a quadratic in t, and the slope to it `square t + linear + pole / t`: it is steepest at an end, or
+/// where square and pole are negative and their terms equal.
+fn horizon_patch(corners: vec4f, start: vec3f, direction: vec2f, t: f32, leave: f32) -> f32 {
+    let along = corners.yz - corners.x;
+    let twist = corners.w - corners.y - along.y;
+    let square = twist * direction.x * direction.y;
+    // Around the middle of the way, so that little is subtracted from much.
+    let middle = 0.5 * (t + leave);
+    let half = 0.5 * (leave - t);
+    let at = start.xy + direction * middle;
+    let rise = corners.x + along.x * at.x + (along.y + twist * at.x) * at.y - start.z;
+    let linear = dot(along, direction) + twist * (at.x * direction.y + at.y * direction.x);
+    let ends = vec2f(-half, half);
+    let heights = rise + ends * (linear + square * ends);
+    let slopes = heights / max(middle + ends, vec2f(1e-6));
+    let pole = rise - middle * (linear - square * middle);
+    let crest = sqrt(max(pole / select(-1.0, square, square < 0.0), 0.0));
+    let on = crest - middle;
+    let inside = square < 0.0 && pole < 0.0 && abs(on) < half;
+    let top = select(-RELIEF_NEVER, (rise + on * (linear + square * on)) / max(crest, 1e-6), inside);
+    return max(max(slopes.x, slopes.y), top);
+}

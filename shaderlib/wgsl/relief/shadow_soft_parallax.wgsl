@@ -1,0 +1,28 @@
+//! Soft shadow of parallax occlusion mapping: heights at equal steps along the ray to the light, and the one that reaches
+//! farthest above the ray for its distance. What is thinner than a step casts no shadow, or one that flickers.
+//! Source: Tatarchuk, "Practical Parallax Occlusion Mapping with Approximate Soft Shadows for Detailed Surface Rendering", ShaderX5, 2006, in the words of Drobot, GPU Pro 1, 2010, section 1.5.1. There the weights are a table set by eye, which falls with the distance; here they are those of a disc.
+
+/// The share of a light whose radius has this tangent. The ray starts above the ground, leads to the light's middle and ends
+/// where it leaves the highest height; `steps` of height are as long as a texel is wide; `samples` is at least 1.
+fn shadow_soft_parallax_share(
+    heights: texture_2d_array<u32>,
+    field: ReliefField,
+    ray: ReliefRay,
+    steps: f32,
+    radius: f32,
+    samples: u32,
+) -> ShadowSeen {
+    let unit = length(ray.direction.xy) * steps;
+    let tangent = ray.direction.z / unit;
+    // Steps across the light's radius, for each t.
+    let spread = unit * radius * (1.0 + tangent * tangent);
+    let stride = ray.end / f32(max(samples, 1u));
+    var blocked = 0.0;
+    for (var index = 1u; index <= samples; index++) {
+        let t = stride * f32(index);
+        let at = ray.origin + ray.direction * t;
+        let surface = relief_mip_height(heights, field, ray.cell, at.xy, 0.0);
+        blocked = max(blocked, (surface - at.z) / max(spread * t, 1e-6));
+    }
+    return ShadowSeen(1.0 - saturate(blocked), RELIEF_HIT, samples, 0u);
+}

@@ -1,0 +1,306 @@
+//! Shadow and occlusion on the device against dense visibility in f64.
+
+use rayon::prelude::*;
+use terrane::measure::{Subject, built_in};
+use terrane::relief::{LIFT, Lighter, Lighting, Scene, Seen, Segment, Tracer, Turn};
+use terrane::render::Gpu;
+use terrane_shaderlib::heightfield::adversary::{Depth, LANDS, Land, Random, map};
+use terrane_shaderlib::heightfield::visibility::{Sun, Visibility};
+use terrane_shaderlib::heightfield::{Border, Heights, Ray, Texels};
+use terrane_shaderlib::relief::{Bounds, Placed};
+
+use super::{LIMIT, device, fault, lands};
+use crate::skip::Skip;
+use crate::tint::{Module, Tint};
+
+/// How deep the built-in maps are here, over their side.
+const DEPTH: f64 = 0.05;
+
+/// Chords of the sun's disc in the reference.
+const CHORDS: u32 = 24;
+
+/// A map under a sun, and what is known of it.
+pub(super) struct Place<'a> {
+    pub(super) heights: &'a Heights,
+    pub(super) visibility: Visibility<'a>,
+    pub(super) scene: Scene,
+}
+
+impl<'a> Place<'a> {
+    pub(super) fn new(Subject { heights, full, .. }: &'a Subject, sun: Sun) -> Self {
+        let side = f64::from(heights.size()[0]);
+        let steps = full / (DEPTH * side);
+        let scene = Scene { sun, steps, reach: 2.0 * side };
+        Self { heights, visibility: Visibility::new(heights, steps), scene }
+    }
+
+    /// Points that face the sun, in a grid of so many a side that is no grid of texels.
+    pub(super) fn facing(&self, count: u32) -> Vec<[f64; 2]> {
+        let side = self.heights.cells().map(|side| f64::from(side) / f64::from(count));
+        let grid = (0..count * count).map(|index| [index % count, index / count].map(f64::from));
+        let points = grid.map(|[x, y]| [(x + 0.37) * side[0], (y + 0.61) * side[1]]);
+        let Sun { towards, tangent, .. } = self.scene.sun;
+        points
+            .filter(|[x, y]| {
+                let normal = self.visibility.normal(*x, *y);
+                normal[0] * towards[0] + normal[1] * towards[1] + normal[2] * tangent > 0.0
+            })
+            .collect()
+    }
+
+    /// A point as the device raises it.
+    pub(super) fn raised(&self, [x, y]: [f64; 2]) -> [f64; 3] {
+        [x, y, self.heights.surface(x, y) + LIFT]
+    }
+
+    pub(super) fn sun_shares(&self, points: &[[f64; 2]], chords: u32) -> Vec<f64> {
+        let share =
+            |at: &[f64; 2]| self.visibility.sun_share(self.raised(*at), &self.scene.sun, chords, self.scene.reach);
+        points.par_iter().map(share).collect()
+    }
+
+    pub(super) fn sky_shares(&self, points: &[[f64; 2]], azimuths: u32) -> Vec<f64> {
+        let share = |at: &[f64; 2]| {
+            let normal = self.visibility.normal(at[0], at[1]);
+            self.visibility.sky_share(self.raised(*at), normal, azimuths, self.scene.reach)
+        };
+        points.par_iter().map(share).collect()
+    }
+
+    pub(super) fn seen(&self, gpu: &Gpu, lighting: Lighting, points: &[[f64; 2]]) -> Vec<Seen> {
+        let placed = Placed::new(self.heights, lighting.bounds(), LIMIT).expect("the map can be placed");
+        let lighter = Lighter::new(gpu, self.heights, &placed, lighting, self.scene).expect("the device takes it");
+        lighter.see(points).expect("the device answers").0
+    }
+}
+
+/// Differences of shares from the truth; one that was given up is off by more than any.
+pub(super) fn differences(seen: &[Seen], truth: &[f64]) -> Vec<f64> {
+    seen.iter().zip(truth).map(|(seen, truth)| seen.share.map_or(2.0, |share| share - truth)).collect()
+}
+
+pub(super) fn rmse(differences: &[f64]) -> f64 {
+    (differences.iter().map(|off| off * off).sum::<f64>() / differences.len() as f64).sqrt()
+}
+
+fn largest(differences: &[f64]) -> f64 {
+    differences.iter().fold(0.0, |largest: f64, off| largest.max(off.abs()))
+}
+
+/// Maps with blockers of every kind.
+fn subjects(side: u32) -> Vec<Subject> {
+    let subjects = built_in(side);
+    assert!(subjects.len() >= 7, "only {} maps", subjects.len());
+    subjects
+}
+
+/// Rays from points of the surface, raised as the device raises them, any way up.
+fn leaving(heights: &Heights, count: usize, seed: u64) -> Vec<Segment> {
+    let mut random = Random::new(seed);
+    let mut ray = || {
+        let cells = heights.cells();
+        // Whole, half and other places: corners, edges, diagonals.
+        let grain = random.one_of(&[1, 2, 256]);
+        let [x, y] = cells.map(|side| random.between(0, i64::from(side) * grain) as f64 / grain as f64);
+        let way = [(); 2].map(|()| random.between(-8, 8) as f64);
+        let steps = 65535.0 / f64::from(cells[0].max(cells[1])) * random.one_of(&[0.1, 1.0, 5.0, 40.0]);
+        let climb = random.between(0, 16) as f64 * steps;
+        Segment {
+            ray: Ray { origin: [x, y, heights.surface(x, y) + LIFT], direction: [way[0], way[1], climb] },
+            range: (0.0, 100.0),
+        }
+    };
+    (0..count).map(|_| ray()).collect()
+}
+
+#[test]
+fn hard_shadows_are_exact_where_rays_leave_the_ground() {
+    let Some(gpu) = device() else { return };
+    let (mut count, mut shadowed, mut faults) = (0, 0, Vec::new());
+    for (seed, (heights, _)) in lands(1, 7).enumerate() {
+        let placed = Placed::new(&heights, Bounds::CellMax, LIMIT).expect("filtered before");
+        let tracer = Tracer::new(&gpu, &heights, &placed, Method::ShadowHard).expect("the device takes it");
+        let sent = leaving(&heights, 400, seed as u64);
+        let (traced, _) = tracer.trace(&sent).expect("the device answers");
+        count += sent.len();
+        shadowed += traced.iter().filter(|one| matches!(one.outcome, terrane::relief::Outcome::Hit(_))).count();
+        faults.extend(sent.iter().zip(&traced).filter_map(|(segment, traced)| fault(&heights, segment, traced)));
+    }
+    assert!(count > 60_000 && shadowed > count / 20 && shadowed < count / 2, "{shadowed} shadows of {count}");
+    let first: Vec<&String> = faults.iter().take(8).collect();
+    assert!(faults.is_empty(), "{} of {count} rays\n{first:#?}", faults.len());
+}
+
+#[test]
+fn a_lower_sun_never_lights_more() {
+    let Some(gpu) = device() else { return };
+    let mut gone = 0;
+    for (index, land) in LANDS.into_iter().enumerate() {
+        let heights = map(land, [64, 64], Border::Wrap, Depth::Sixteen, 3).expect("a size that maps have");
+        let subject = Subject { name: format!("{land:?}"), heights, full: 65535.0 };
+        let mut before: Option<Vec<Seen>> = None;
+        // So far apart that no horizon is within rounding of two of them.
+        for elevation in [75.0, 60.0, 45.0, 30.0, 15.0, 5.0] {
+            let place = Place::new(&subject, Sun::new(40.0 * index as f64, elevation, 0.3));
+            let points: Vec<[f64; 2]> =
+                (0..512_u32).map(|n| [f64::from(n % 32) * 2.03, f64::from(n / 32) * 4.01]).collect();
+            let seen = place.seen(&gpu, Lighting::Hard, &points);
+            for (lower, higher) in seen.iter().zip(before.iter().flatten()) {
+                assert!(lower.share <= higher.share, "{land:?} at {elevation}: {lower:?}, {higher:?}");
+                gone += u32::from(lower.share < higher.share);
+            }
+            before = Some(seen);
+        }
+    }
+    assert!(gone > 500, "only {gone} points ever lost the sun");
+}
+
+/// Root mean square error of a method over the points of a map that face the sun.
+fn sun_error(gpu: &Gpu, subject: &Subject, sun: Sun, lighting: Lighting) -> (f64, usize) {
+    let place = Place::new(subject, sun);
+    let points = place.facing(32);
+    let truth = place.sun_shares(&points, CHORDS);
+    let partly = truth.iter().filter(|share| (0.01..0.99).contains(*share)).count();
+    (rmse(&differences(&place.seen(gpu, lighting, &points), &truth)), partly)
+}
+
+#[test]
+fn soft_shadows_are_those_of_the_disc() {
+    let Some(gpu) = device() else { return };
+    let mut penumbra = 0;
+    let ends = map(Land::Cracks, [100, 36], Border::Clamp, Depth::Sixteen, 2).expect("a size that maps have");
+    let ends = Subject { name: "cracks that end".into(), heights: ends, full: 65535.0 };
+    for subject in subjects(128).into_iter().chain([ends]) {
+        // A tip is narrower than the sun: a plane passes it or does not, so there each chord of the reference has its own.
+        let tips = ["needles", "noise"].contains(&subject.name.as_str());
+        // The sun; and a light ten times as wide, whose azimuths differ enough to need planes of their own.
+        for (elevation, radius, planes) in [(30.0, 0.27, 1), (15.0, 0.27, 1), (30.0, 3.0, 5)] {
+            let planes = if tips { CHORDS } else { planes };
+            let lighting = Lighting::Cone(planes, 0.0);
+            let (error, partly) = sun_error(&gpu, &subject, Sun::new(34.0, elevation, radius), lighting);
+            assert!(error <= 0.02, "{} at {elevation}: {lighting:?} is off by {error}", subject.name);
+            penumbra += partly;
+        }
+    }
+    assert!(penumbra > 500, "only {penumbra} points in a penumbra");
+}
+
+#[test]
+fn a_coarse_cone_is_never_too_bright() {
+    let Some(gpu) = device() else { return };
+    let mut darker = 0;
+    for subject in subjects(128) {
+        let place = Place::new(&subject, Sun::new(34.0, 20.0, 3.0));
+        let points = place.facing(32);
+        let exact = place.seen(&gpu, Lighting::Cone(3, 0.0), &points);
+        let coarse = place.seen(&gpu, Lighting::Cone(3, 16.0), &points);
+        for (coarse, exact) in coarse.iter().zip(&exact) {
+            let (coarse, exact) = (coarse.share.expect("resolved"), exact.share.expect("resolved"));
+            assert!(coarse <= exact + 1e-3, "{}: {coarse}, exactly {exact}", subject.name);
+            darker += u32::from(coarse < exact - 1e-3);
+        }
+    }
+    assert!(darker > 20, "only {darker} points are darker: nothing was coarse");
+}
+
+#[test]
+fn occlusion_is_that_of_its_directions() {
+    let Some(gpu) = device() else { return };
+    for subject in subjects(64) {
+        let place = Place::new(&subject, Sun::new(0.0, 89.0, 0.3));
+        let points = place.facing(24);
+        let off = differences(&place.seen(&gpu, Lighting::Sky(8, Turn::Fixed), &points), &place.sky_shares(&points, 8));
+        // Rounding moves a horizon by a step and a thousandth of a texel; a wall is 65535 steps a texel.
+        assert!(largest(&off) < 0.02 && rmse(&off) < 1e-3, "{}: {} {}", subject.name, largest(&off), rmse(&off));
+    }
+}
+
+#[test]
+fn more_directions_come_closer_to_the_sky() {
+    let Some(gpu) = device() else { return };
+    for subject in subjects(64).iter().filter(|subject| ["cracked_rock", "pebbles"].contains(&subject.name.as_str())) {
+        let place = Place::new(subject, Sun::new(0.0, 89.0, 0.3));
+        let points = place.facing(24);
+        let truth = place.sky_shares(&points, 128);
+        let error = |lighting| rmse(&differences(&place.seen(&gpu, lighting, &points), &truth));
+        let [four, eight, sixteen] = [4, 8, 16].map(|count| error(Lighting::Sky(count, Turn::Fixed)));
+        assert!(sixteen < eight && eight < four && four < 0.1, "{}: {four} {eight} {sixteen}", subject.name);
+        let fast = error(Lighting::FastSky(8, Turn::Fixed, 6));
+        assert!(fast > eight, "the fast horizon is no better than the exact one: {fast} {eight}");
+        // Jitter turns the error of a direction into noise: it must not be larger.
+        let jittered = error(Lighting::Sky(4, Turn::Jittered));
+        assert!(jittered < 1.5 * four, "{}: {jittered} {four}", subject.name);
+    }
+}
+
+/// Flat ground with a wall one texel wide along a column, so many steps high.
+fn wall(column: usize, steps: u16) -> Subject {
+    let mut texels = vec![0; 64 * 64];
+    (0..64).for_each(|row| texels[row * 64 + column] = steps);
+    // What the lid is measured by, far from everything that is asked.
+    texels[63 * 64 + 63] = u16::MAX;
+    let heights = Heights::new([64, 64], Border::Wrap, Texels::U16(texels)).expect("as many texels as its size says");
+    Subject { name: "wall".into(), heights, full: 65535.0 }
+}
+
+/// What a method says and what is true, at (20, 30), with the sun along +x.
+fn beside(gpu: &Gpu, subject: &Subject, elevation: f64, lighting: Lighting) -> (f64, f64) {
+    let place = Place::new(subject, Sun::new(0.0, elevation, 0.27));
+    let points = [[20.0, 30.0]];
+    let seen = place.seen(gpu, lighting, &points)[0].share.expect("resolved");
+    (seen, place.sun_shares(&points, 24)[0])
+}
+
+#[test]
+fn light_leaks_through_a_wall_between_the_samples_of_parallax_shadows() {
+    let Some(gpu) = device() else { return };
+    // The ray leaves the lid after 3.2 / tan 8° = 22.8 texels: 12 samples are 1.9 apart, at 21.9, 23.8, 25.7 …
+    let subject = wall(23, 40000);
+    assert_eq!(beside(&gpu, &subject, 8.0, Lighting::Parallax(12)), (1.0, 0.0));
+    let (exact, _) = beside(&gpu, &subject, 8.0, Lighting::Cone(1, 0.0));
+    assert!(exact < 1e-6, "{exact}");
+}
+
+#[test]
+fn light_leaks_past_what_the_fast_horizon_averages_away() {
+    let Some(gpu) = device() else { return };
+    // 12 texels away a tap reads mip 3, in which the wall is an eighth as high.
+    let subject = wall(32, 65535);
+    let (seen, truth) = beside(&gpu, &subject, 10.0, Lighting::FastHorizon(6));
+    assert!(truth < 1e-6 && seen > 0.999, "{seen}, {truth}");
+}
+
+#[test]
+fn the_published_horizon_darkens_what_the_sun_passes_over() {
+    let Some(gpu) = device() else { return };
+    // A step of 1.5 texels, 1.6 away: its edge stands at 42°, and a sun at 60° clears it.
+    let mut texels = vec![20000; 64 * 64];
+    (0..64 * 64).filter(|index| index % 64 > 21).for_each(|index| texels[index] = 50000);
+    texels[63 * 64 + 63] = u16::MAX;
+    let heights = Heights::new([64, 64], Border::Wrap, Texels::U16(texels)).expect("as many texels as its size says");
+    let subject = Subject { name: "step".into(), heights, full: 65535.0 };
+    let place = Place::new(&subject, Sun::new(0.0, 60.0, 0.27));
+    let points = [[20.4, 30.0]];
+    let seen = place.seen(&gpu, Lighting::Published, &points)[0].share.expect("resolved");
+    assert!(place.sun_shares(&points, 24)[0] > 1.0 - 1e-9 && seen < 0.9, "{seen}");
+}
+
+#[test]
+fn tint_accepts_every_question_about_the_light() {
+    let Ok(mut tint) = Tint::start().map_err(Skip::report) else { return };
+    let scene = Scene { sun: Sun::new(30.0, 20.0, 0.3), steps: 1280.0, reach: 100.0 };
+    let all = [
+        Lighting::Hard,
+        Lighting::Parallax(16),
+        Lighting::Published,
+        Lighting::FastHorizon(8),
+        Lighting::Cone(3, 0.5),
+        Lighting::Sky(8, Turn::Jittered),
+        Lighting::FastSky(4, Turn::Fixed, 6),
+    ];
+    let modules = all.map(|one| Module::with_pipelines(format!("{one:?}"), one.shader(&scene, 65535.0)));
+    for report in tint.validate(&modules) {
+        assert!(report.errors().is_empty(), "{}: {}", report.name, report.errors());
+        assert!(!report.pipelines.is_empty(), "{}: no pipeline was tried", report.name);
+    }
+}
