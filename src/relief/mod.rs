@@ -7,11 +7,13 @@
 //! ```
 
 mod clock;
+mod map;
 mod setup;
 mod shader;
-mod texture;
+pub(crate) mod texture;
 mod tracer;
 
+pub use map::map;
 pub use setup::Segment;
 pub use shader::shader;
 pub use tracer::{Outcome, Traced, Tracer};

@@ -58,3 +58,18 @@ impl fmt::Display for Method {
         }
     }
 }
+
+// TEMPORARY
+impl Method {
+    pub const NAMES: [&'static str; 2] = ["walk", "maximum_mipmaps"];
+}
+impl std::str::FromStr for Method {
+    type Err = ();
+    fn from_str(t: &str) -> Result<Self, ()> {
+        match t {
+            "walk" => Ok(Self::Walk),
+            "maximum_mipmaps" => Ok(Self::MaximumMipmaps),
+            _ => Err(()),
+        }
+    }
+}
