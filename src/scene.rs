@@ -5,14 +5,17 @@ use std::path::Path;
 
 use terrane_codegen::compile::Compiled;
 use terrane_codegen::graph::model::{Scene, Shadow, Terrain};
-use terrane_codegen::manifest::UniformInfo;
+use terrane_codegen::manifest::{ReliefArrayInfo, UniformInfo};
+use terrane_shaderlib::relief::Bounds;
 
-use crate::render::material::{Format, Material, Sampling, TextureArray, decode};
+use crate::render::material::{Format, Material, Relief, Sampling, TextureArray, decode};
 use crate::render::{Camera, HeightField, RenderError, RenderScene};
 
 /// Every file of the project that a shader and its terrain read, project-relative.
 pub fn files(compiled: &Compiled) -> BTreeSet<String> {
     let layers = compiled.manifest.textures.iter().flat_map(|texture| texture.layers.iter().cloned());
+    let reliefs = compiled.manifest.relief.iter().flat_map(|relief| &relief.arrays);
+    let layers = layers.chain(reliefs.flat_map(|array| array.layers.iter().map(|layer| layer.file.clone())));
     layers.chain(compiled.manifest.terrain.iter().map(|terrain| terrain.height_map.clone())).collect()
 }
 
@@ -36,7 +39,29 @@ pub fn material(compiled: &Compiled, root: &Path) -> Material {
         parameters: manifest.parameters.as_ref().map(|block| (block.binding, defaults(block))),
         arrays: arrays.collect(),
         samplers: samplers.collect(),
+        reliefs: compiled
+            .manifest
+            .relief
+            .iter()
+            .flat_map(|relief| &relief.arrays)
+            .map(|array| map(array, compiled, root))
+            .collect(),
     }
+}
+
+/// Height maps of one size.
+fn map(array: &ReliefArrayInfo, compiled: &Compiled, root: &Path) -> Relief {
+    Relief {
+        bindings: [array.heights.binding, array.bounds.binding],
+        size: (array.heights.width, array.heights.height),
+        bounds: bounds(compiled),
+        maps: array.layers.iter().map(|layer| (root.join(&layer.file), layer.channel)).collect(),
+    }
+}
+
+/// What the tracer of a shader knows of its maps.
+pub fn bounds(compiled: &Compiled) -> Bounds {
+    compiled.program.relief.as_ref().map_or(Bounds::None, |relief| relief.trace.method.search().bounds())
 }
 
 /// The uniform block with every parameter at its default.

@@ -14,7 +14,7 @@ use terrane_codegen::patch::{Combination, specialize};
 use terrane_codegen::program::{Options, Program};
 use terrane_shaderlib::hosts;
 
-static HOST: LazyLock<String> = LazyLock::new(|| hosts::join(hosts::WGPU_TERRAIN));
+static HOST: LazyLock<hosts::Host> = LazyLock::new(hosts::terrain);
 const TERRAIN: &str = "graphs/terrains/alpine.ron";
 
 fn open() -> Project {

@@ -1,5 +1,7 @@
 //! The whole way from resolved graphs to checked WGSL and its manifest.
 
+use terrane_shaderlib::hosts::Host;
+
 use crate::check::{Checked, check};
 use crate::diagnostic::{Code, Diagnostic, Sources};
 use crate::emit::{Shader, core, host};
@@ -7,7 +9,7 @@ use crate::graph::model::{GraphId, Graphs, Terrain};
 use crate::library::Library;
 use crate::manifest::{Manifest, Parts, manifest};
 use crate::patch::{Combination, Specialization, specialize};
-use crate::program::{Options, Program};
+use crate::program::{Options, Program, ReliefArray, affine};
 
 /// More textures than WebGPU promises.
 pub const TOO_MANY_TEXTURES: Code = Code { id: "TG201", name: "too-many-textures" };
@@ -40,7 +42,7 @@ pub struct Compiler<'a> {
     /// The texts that spans point into.
     pub sources: &'a Sources,
     /// The host's own WGSL. The textures that it declares count against a stage's 16.
-    pub host: &'a str,
+    pub host: &'a Host,
     /// What is optimised.
     pub options: Options,
 }
@@ -63,11 +65,17 @@ impl Compiler<'_> {
     }
 
     fn finish(&self, mut program: Program, terrain: Option<&Terrain>) -> Result<Compiled, Vec<Diagnostic>> {
+        if self.host.displaced.is_none() {
+            program.flatten();
+        }
         let patch = specialize(&program, &Combination::all(&program), self.options);
         program.keep(&patch.live);
-        self.limits(&program)?;
+        program.keep_reliefs(&patch.layers);
+        let text = self.host.displaced.as_ref().filter(|_| patch.relief.is_some()).unwrap_or(&self.host.flat);
+        self.limits(&program, text)?;
+        affine(&program, self.library).map_err(|found| vec![*found])?;
         let core = core(self.library, &program, &patch);
-        let host = host(self.library, &program, &patch, self.host);
+        let host = host(self.library, &program, &patch, text);
         check(&core, self.library, &program).map_err(|refused| vec![refused])?;
         let checked = check(&host, self.library, &program).map_err(|refused| vec![refused])?;
         let parts = Parts { program: &program, patch: &patch, core: &core, host: &host, checked: &checked, terrain };
@@ -75,14 +83,18 @@ impl Compiler<'_> {
         Ok(Compiled { program, patch, core, host, checked, manifest })
     }
 
-    fn limits(&self, program: &Program) -> Result<(), Vec<Diagnostic>> {
-        let free = STAGE_LIMIT.saturating_sub(crate::library::texture_variables(self.host));
-        if program.arrays.len() <= free {
+    fn limits(&self, program: &Program, host: &str) -> Result<(), Vec<Diagnostic>> {
+        let free = STAGE_LIMIT.saturating_sub(crate::library::texture_variables(host));
+        let reliefs = program.relief.iter().flat_map(|relief| &relief.arrays);
+        let needed = program.arrays.len() + 2 * reliefs.clone().count();
+        if needed <= free {
             return Ok(());
         }
-        let sizes: Vec<String> =
-            program.arrays.iter().map(|array| format!("`{}`: {}", array.name(), array.files.join(", "))).collect();
-        let message = format!("the materials need {} texture arrays, the host leaves {free}", program.arrays.len());
+        let files = |array: &ReliefArray| array.maps.iter().map(|map| map.file.clone()).collect::<Vec<_>>().join(", ");
+        let sizes = program.arrays.iter().map(|array| format!("`{}`: {}", array.name(), array.files.join(", ")));
+        let reliefs = reliefs.map(|array| format!("`{}`, `{}`: {}", array.heights(), array.bounds(), files(array)));
+        let sizes: Vec<String> = sizes.chain(reliefs).collect();
+        let message = format!("the materials need {needed} texture arrays, the host leaves {free}");
         let place = program.layers[0].span;
         let finding = Diagnostic::error(TOO_MANY_TEXTURES, place, message)
             .help("files of equal size and format share an array: bring the textures to few sizes and formats")

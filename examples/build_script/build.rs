@@ -21,7 +21,7 @@ fn main() {
 
 fn compile(project: &mut Project) -> Result<Compiled, Vec<Diagnostic>> {
     let (graphs, terrain, _) = project.terrain("graphs/terrains/dunes.ron")?;
-    let host = hosts::join(hosts::WGPU_TERRAIN);
+    let host = hosts::terrain();
     let (library, sources) = (&project.library, &project.sources);
     Compiler { library, sources, host: &host, options: Options::default() }.terrain(&graphs, &terrain)
 }

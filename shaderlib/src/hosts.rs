@@ -18,6 +18,17 @@ pub const WGPU_TERRAIN: &[SourceFile] = &[
     host!("wgpu/ground.wgsl"),
     host!("wgpu/light.wgsl"),
     host!("wgpu/terrain.wgsl"),
+    host!("wgpu/flat.wgsl"),
+];
+
+/// The same for materials with relief. `terrain_fragment` gives depth as a second colour.
+pub const WGPU_TERRAIN_DISPLACED: &[SourceFile] = &[
+    host!("wgpu/view.wgsl"),
+    host!("wgpu/frame.wgsl"),
+    host!("wgpu/ground.wgsl"),
+    host!("wgpu/light.wgsl"),
+    host!("wgpu/terrain.wgsl"),
+    host!("wgpu/displaced.wgsl"),
 ];
 
 /// Plain WebGPU: one material on a square and a ball. Entry points `preview_vertex` and `preview_fragment`.
@@ -30,12 +41,37 @@ pub const WGPU_TEXTURES: usize = 5;
 /// The renderer's own: the sky behind a terrain. Entry points `sky_vertex` and `sky_fragment`.
 pub const WGPU_SKY: &[SourceFile] = &[host!("wgpu/view.wgsl"), host!("wgpu/sky.wgsl")];
 
+/// The renderer's own: depth of displaced surfaces. Entry points `depth_vertex` and `depth_fragment`.
+pub const WGPU_DEPTH: &[SourceFile] = &[host!("wgpu/depth.wgsl")];
+
 /// The renderer's own: from radiance to a picture. Entry points `resolve_vertex` and `resolve_fragment`.
 pub const WGPU_RESOLVE: &[SourceFile] = &[host!("wgpu/resolve.wgsl")];
 
 /// Relief's own: bounds and mips of a height map, made on the device. Entry points `build_vertex`, and `build_fill`, `build_mip`,
 /// `build_cells` and `build_nodes` for one level each.
 pub const WGPU_RELIEF_BUILD: &[SourceFile] = &[host!("relief/build.wgsl")];
+
+/// The texts of a host, for materials without relief and with.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Host {
+    /// Calls `terrane_shade` alone.
+    pub flat: String,
+    /// Calls `terrane_ground`, `terrane_trace`, `terrane_sunlit` and `terrane_open` as well; `None` for a host that draws no
+    /// relief.
+    pub displaced: Option<String>,
+}
+
+/// The plain WebGPU host for terrain.
+#[must_use]
+pub fn terrain() -> Host {
+    Host { flat: join(WGPU_TERRAIN), displaced: Some(join(WGPU_TERRAIN_DISPLACED)) }
+}
+
+/// The host that shows one material.
+#[must_use]
+pub fn preview() -> Host {
+    Host { flat: join(WGPU_PREVIEW), displaced: None }
+}
 
 /// The files of a host, joined.
 #[must_use]

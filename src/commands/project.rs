@@ -8,7 +8,7 @@ use terrane_codegen::compile::Compiler;
 use terrane_codegen::diagnostic::{Diagnostic, Sources, render};
 use terrane_codegen::graph::Project;
 use terrane_codegen::program::Options;
-use terrane_shaderlib::hosts;
+use terrane_shaderlib::hosts::{self, Host};
 
 use super::Failure;
 
@@ -41,12 +41,12 @@ pub(super) fn warn(found: &[Diagnostic], sources: &Sources) {
 }
 
 /// The plain WebGPU host for terrain.
-pub(super) static TERRAIN_HOST: LazyLock<String> = LazyLock::new(|| hosts::join(hosts::WGPU_TERRAIN));
+pub(super) static TERRAIN_HOST: LazyLock<Host> = LazyLock::new(hosts::terrain);
 
 /// The host that shows one material.
-pub(super) static PREVIEW_HOST: LazyLock<String> = LazyLock::new(|| hosts::join(hosts::WGPU_PREVIEW));
+pub(super) static PREVIEW_HOST: LazyLock<Host> = LazyLock::new(hosts::preview);
 
 /// The generator with a host.
-pub(super) fn compiler<'a>(project: &'a Project, host: &'a str) -> Compiler<'a> {
+pub(super) fn compiler<'a>(project: &'a Project, host: &'a Host) -> Compiler<'a> {
     Compiler { library: &project.library, sources: &project.sources, host, options: Options::default() }
 }

@@ -11,14 +11,16 @@
 mod build;
 mod clock;
 mod lighting;
+mod map;
 mod setup;
 mod shader;
-mod texture;
+pub(crate) mod texture;
 mod tracer;
 
 pub use build::Built;
 pub use clock::Timing;
 pub use lighting::{LIFT, Lighter, Lighting, Scene, Seen, Turn};
+pub use map::map;
 pub use setup::{DeviceRay, Segment, Setup};
 pub use shader::{shader, tiled_shader};
 pub use tracer::{Outcome, Traced, Tracer};

@@ -10,7 +10,7 @@ use wgpu::util::{BufferInitDescriptor, DeviceExt as _};
 use super::clock::{Clock, Timing};
 use super::setup::{DeviceRay, Segment, Setup};
 use super::shader::{pipeline, shader, tiled_shader};
-use super::texture::texture;
+use super::texture::textures;
 use crate::render::{Gpu, RenderError};
 
 /// What became of a ray.
@@ -116,7 +116,7 @@ impl<'a> Tracer<'a> {
             method,
             tiled: placed.tiled,
             pipeline,
-            textures: [texture(gpu, &placed.heights), texture(gpu, &placed.bounds)],
+            textures: [textures(gpu, &[&placed.heights]), textures(gpu, &[&placed.bounds])],
             field: gpu.device.create_buffer_init(&BufferInitDescriptor {
                 label: Some("relief's field"),
                 contents: bytemuck::cast_slice(&placed.fields[0].words()),

@@ -47,12 +47,12 @@ pub fn render_preview(gpu: &Gpu, preview: &Preview<'_>, progress: Progress) -> R
     let material = MaterialGroup::new(gpu, preview.material, progress)?;
     let bound = bind(gpu, preview)?;
     let pipeline = FullScreen::new(gpu, "preview", preview.shader, &[&bound.layout, &material.layout])?;
-    let targets = Targets::new(gpu, width, height)?;
+    let targets = Targets::new(gpu, width, height, false)?;
     let _phase = progress.phase("drawing", 1);
     let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
     gpu.checked("drawing commands", || {
         drop(targets.depth_pass(&mut encoder));
-        pipeline.draw(&mut targets.light_pass(&mut encoder, true), &[&bound.group, &material.group]);
+        pipeline.draw(&mut targets.sky_pass(&mut encoder), &[&bound.group, &material.group]);
     })?;
     gpu.queue.submit([encoder.finish()]);
     gpu.wait()?;

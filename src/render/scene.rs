@@ -7,7 +7,7 @@ use super::air::{Aerial, Atmosphere, SkyTable};
 use super::camera::{Camera, View, sun_direction};
 use super::error::{RenderError, Result};
 use super::frame::{
-    Bound, FullScreen, Tables, Targets, TerrainDraw, TerrainPipeline, ViewUniform, read_depth, resolve,
+    Bound, Displaced, FullScreen, Tables, Targets, TerrainDraw, TerrainPipeline, ViewUniform, read_depth, resolve,
 };
 use super::geometry::{Bounds, select, visible};
 use super::gpu::Gpu;
@@ -107,14 +107,15 @@ fn draw(gpu: &Gpu, scene: &RenderScene<'_>, progress: Progress) -> Result<Target
     let [width, height] = scene.image.map(|side| side * scene.supersampling);
     let material = MaterialGroup::new(gpu, scene.material, progress)?;
     let bound = bind(gpu, scene, &view, progress)?;
+    let displaced = !scene.material.reliefs.is_empty();
     let terrain = {
         let _phase = progress.phase("terrain shader", 1);
-        TerrainPipeline::new(gpu, scene.shader, &bound, &material)?
+        TerrainPipeline::new(gpu, scene.shader, displaced, &bound, &material)?
     };
     let sky = FullScreen::new(gpu, "sky", &hosts::join(hosts::WGPU_SKY), &[&bound.layout])?;
     let patches = TerrainDraw::new(gpu, scene.field, &scene.patches(&view, progress))?;
-    let targets = Targets::new(gpu, width, height)?;
-    let phase = progress.phase("drawing", patches.pieces() as u64 + 2);
+    let targets = Targets::new(gpu, width, height, displaced)?;
+    let phase = progress.phase("drawing", patches.pieces() as u64 + 3);
     let submit = |record: &dyn Fn(&mut wgpu::CommandEncoder)| {
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         gpu.checked("drawing commands", || record(&mut encoder))?;
@@ -124,11 +125,15 @@ fn draw(gpu: &Gpu, scene: &RenderScene<'_>, progress: Progress) -> Result<Target
         Ok(())
     };
     submit(&|encoder| patches.draw_depth(&mut targets.depth_pass(encoder), &terrain, &bound, &material))?;
-    submit(&|encoder| sky.draw(&mut targets.light_pass(encoder, true), &[&bound.group]))?;
+    submit(&|encoder| sky.draw(&mut targets.sky_pass(encoder), &[&bound.group]))?;
     for piece in 0..patches.pieces() {
         submit(&|encoder| {
-            patches.draw_light(&mut targets.light_pass(encoder, false), &terrain, &bound, &material, piece);
+            patches.draw_light(&mut targets.light_pass(encoder, piece == 0), &terrain, &bound, &material, piece);
         })?;
+    }
+    if let Some(texture) = &targets.displaced {
+        let displaced = Displaced::new(gpu, texture)?;
+        submit(&|encoder| displaced.draw(&mut targets.displaced_pass(encoder)))?;
     }
     Ok(targets)
 }

@@ -135,7 +135,8 @@ impl Composer<'_> {
         }
     }
 
-    fn shares(&mut self) {
+    /// The part of the ground that each layer covers.
+    pub(super) fn shares(&mut self) {
         self.shader.line("");
         self.shader.line("// The part of the ground that each layer covers, from the top.");
         let mut left: Option<String> = None;

@@ -3,13 +3,15 @@
 use std::collections::BTreeSet;
 
 use super::VISIBLE;
+use super::arguments::arguments;
 use super::compose::Composer;
 use super::names::Names;
+use super::relief::relief;
 use super::text::{Place, Shader};
 use crate::graph::model::FrameField;
 use crate::library::Library;
 use crate::patch::Specialization;
-use crate::program::{Op, Program};
+use crate::program::{Op, Program, ValueId};
 use crate::value::Literal;
 
 /// The core of a specialised shader: the library functions that it needs, and `terrane_surface`.
@@ -44,9 +46,11 @@ pub(super) fn declarations(shader: &mut Shader, library: &Library, items: &BTree
 
 /// Everything of the core behind the library's functions.
 pub(super) fn body(library: &Library, program: &Program, patch: &Specialization) -> Shader {
-    body_with(library, program, patch, ("terrane_surface", "TerrainOut"), |shader, names| {
+    let mut shader = body_with(library, program, patch, ("terrane_surface", "TerrainOut"), |shader, names| {
         Composer { program, patch, names, shader }.body();
-    })
+    });
+    relief(&mut shader, library, program, patch);
+    shader
 }
 
 /// The structs, and a function of a name and result that takes what a surface takes.
@@ -61,27 +65,15 @@ pub(super) fn body_with(
     structs(&mut shader, program, patch);
     let names = Names::new(library, program, &patch.live);
     shader.line("/// The look of the ground at one place.");
-    shader.open(&format!("fn {name}({}) -> {result}", arguments(program, patch)));
+    let given = arguments(program, &patch.live, &[], &[]);
+    shader.open(&format!("fn {name}({}) -> {result}", given.declared()));
     write(&mut shader, &names);
     shader.close();
     shader
 }
 
-/// The parameter list, one a line where it is long.
-fn arguments(program: &Program, patch: &Specialization) -> String {
-    let mut arguments = vec!["terrain: TerrainIn".to_owned()];
-    if !parameters(program, patch).is_empty() {
-        arguments.push("parameters: TerrainParameters".into());
-    }
-    let (arrays, samplers) = resources(program, patch);
-    arguments.extend(arrays.iter().map(|array| format!("{}: texture_2d_array<f32>", program.arrays[*array].name())));
-    arguments.extend(samplers.iter().map(|sampler| format!("{}: sampler", program.samplers[*sampler].name())));
-    let one_line = arguments.join(", ");
-    if one_line.len() <= 80 { one_line } else { format!("\n    {},\n", arguments.join(",\n    ")) }
-}
-
 fn structs(shader: &mut Shader, program: &Program, patch: &Specialization) {
-    if patch.layers.len() > 1 && patch.guard {
+    if patch.layers.len() > 1 && (patch.guard || patch.relief.is_some()) {
         shader.line("/// A layer is skipped where its weight is not above this.");
         shader.line(&format!("const TERRANE_VISIBLE: f32 = {};", Literal::f32(VISIBLE).wgsl()));
         shader.line("");
@@ -93,7 +85,7 @@ fn structs(shader: &mut Shader, program: &Program, patch: &Specialization) {
     }
     shader.close();
     shader.line("");
-    let parameters = parameters(program, patch);
+    let parameters = parameters(program, &patch.live);
     if !parameters.is_empty() {
         shader.line("/// What may be tweaked while the shader runs.");
         shader.open("struct TerrainParameters");
@@ -123,20 +115,24 @@ const TERRAIN_OUT: [&str; 6] = [
 
 /// The frame fields in use. A terrain of constants still has a place, since WGSL knows no empty struct.
 pub(crate) fn frame(program: &Program, patch: &Specialization) -> Vec<FrameField> {
-    let used = |field: &FrameField| patch.live.iter().any(|id| program.pool.get(*id).op == Op::Frame(*field));
+    // Tracing moves the place, and fades with the distance.
+    let traced =
+        |field: &FrameField| patch.relief.is_some() && [FrameField::Position, FrameField::Distance].contains(field);
+    let used =
+        |field: &FrameField| traced(field) || patch.live.iter().any(|id| program.pool.get(*id).op == Op::Frame(*field));
     let fields: Vec<FrameField> = FrameField::ALL.iter().map(|(field, ..)| *field).filter(used).collect();
     if fields.is_empty() { vec![FrameField::Height] } else { fields }
 }
 
-/// Positions of the parameters in use.
-pub(crate) fn parameters(program: &Program, patch: &Specialization) -> BTreeSet<usize> {
+/// Positions of the parameters that values read.
+pub(crate) fn parameters(program: &Program, live: &BTreeSet<ValueId>) -> BTreeSet<usize> {
     let index = |op: &Op| if let Op::Parameter(index) = op { Some(*index) } else { None };
-    patch.live.iter().filter_map(|id| index(&program.pool.get(*id).op)).collect()
+    live.iter().filter_map(|id| index(&program.pool.get(*id).op)).collect()
 }
 
-/// Positions of the arrays and samplers in use.
-pub(crate) fn resources(program: &Program, patch: &Specialization) -> (BTreeSet<usize>, BTreeSet<usize>) {
+/// Positions of the arrays and samplers that values read.
+pub(crate) fn resources(program: &Program, live: &BTreeSet<ValueId>) -> (BTreeSet<usize>, BTreeSet<usize>) {
     let index = |op: &Op| if let Op::Texture(index) = op { Some(program.textures[*index]) } else { None };
-    let textures = patch.live.iter().filter_map(|id| index(&program.pool.get(*id).op));
+    let textures = live.iter().filter_map(|id| index(&program.pool.get(*id).op));
     textures.map(|texture| (texture.array, texture.sampler)).unzip()
 }

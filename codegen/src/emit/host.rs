@@ -1,9 +1,11 @@
 //! The plain WebGPU host: bindings, and the glue between a renderer's frame and the core.
 
+use super::arguments::arguments;
 use super::core::{body, declarations, frame, header, parameters, resources};
 use super::text::Shader;
+use crate::graph::model::ReliefShadow;
 use crate::library::Library;
-use crate::patch::Specialization;
+use crate::patch::{ReliefPart, Specialization};
 use crate::program::Program;
 
 /// Bind group of everything that belongs to the material.
@@ -25,28 +27,83 @@ pub fn host(library: &Library, program: &Program, patch: &Specialization, host: 
 
 /// The layout is the whole terrain's; a shader declares what it reads of it.
 fn glue(shader: &mut Shader, program: &Program, patch: &Specialization) {
-    let (arrays, samplers) = resources(program, patch);
-    let fields: Vec<String> = frame(program, patch).iter().map(|field| format!("frame.{}", field.name())).collect();
-    let mut arguments = vec![format!("TerrainIn({})", fields.join(", "))];
-    if !parameters(program, patch).is_empty() {
+    let (arrays, samplers) = resources(program, &patch.live);
+    if !parameters(program, &patch.live).is_empty() {
         binding(shader, 0, "var<uniform> terrane_parameters: TerrainParameters");
-        arguments.push("terrane_parameters".into());
     }
     for array in arrays {
-        let name = format!("terrane_{}", program.arrays[array].name());
-        binding(shader, array_binding(array), &format!("var {name}: texture_2d_array<f32>"));
-        arguments.push(name);
+        let name = program.arrays[array].name();
+        binding(shader, array_binding(array), &format!("var terrane_{name}: texture_2d_array<f32>"));
     }
     for sampler in samplers {
-        let name = format!("terrane_{}", program.samplers[sampler].name());
-        binding(shader, sampler_binding(program, sampler), &format!("var {name}: sampler"));
-        arguments.push(name);
+        let name = program.samplers[sampler].name();
+        binding(shader, sampler_binding(program, sampler), &format!("var terrane_{name}: sampler"));
     }
+    let relief = program.relief.iter().filter(|_| patch.relief.is_some()).flat_map(super::relief::textures);
+    for (index, (name, ty)) in relief.enumerate() {
+        binding(shader, relief_binding(program, index), &format!("var terrane_{name}: {ty}"));
+    }
+    shade(shader, program, patch);
+    if let Some(part) = &patch.relief {
+        ground(shader, program, patch, part);
+    }
+}
+
+/// The frame as a function of the core takes it.
+fn terrain(program: &Program, patch: &Specialization) -> String {
+    let fields: Vec<String> = frame(program, patch).iter().map(|field| format!("frame.{}", field.name())).collect();
+    format!("TerrainIn({})", fields.join(", "))
+}
+
+fn shade(shader: &mut Shader, program: &Program, patch: &Specialization) {
+    let given = arguments(program, &patch.live, &[], &[]);
+    let rest = given.names().skip(1).map(|name| format!("terrane_{name}"));
+    let all: Vec<String> = std::iter::once(terrain(program, patch)).chain(rest).collect();
     shader.line("");
     shader.line("/// The core with its resources.");
     shader.open("fn terrane_shade(frame: HostFrame) -> TerrainOut");
-    shader.line(&format!("return terrane_surface({});", arguments.join(", ")));
+    shader.line(&format!("return terrane_surface({});", all.join(", ")));
     shader.close();
+}
+
+/// The displaced ground with its resources.
+fn ground(shader: &mut Shader, program: &Program, patch: &Specialization, part: &ReliefPart) {
+    let Some(relief) = &program.relief else { return };
+    let live = part.live();
+    let heights: Vec<String> = relief.arrays.iter().map(|array| format!("{}: heights", array.heights())).collect();
+    let given = arguments(program, &live, &[], &heights);
+    let rest = given.names().skip(1).map(|name| format!("terrane_{name}"));
+    let axes = ["tangent", "bitangent", "pixel"].map(str::to_owned);
+    let all: Vec<String> = std::iter::once(terrain(program, patch)).chain(axes).chain(rest).collect();
+    let textures: Vec<String> =
+        super::relief::textures(relief).iter().map(|(name, _)| format!("terrane_{name}")).collect();
+    let textures = textures.join(", ");
+    let (no_shadow, no_occlusion) = (relief.trace.shadow == ReliefShadow::Off, relief.trace.occlusion == 0);
+    let unless = |off: bool, call: &str| if off { "1.0f".to_owned() } else { format!("{call}, {textures})") };
+    let functions = [
+        (
+            "ground(frame: HostFrame, tangent: vec3f, bitangent: vec3f, pixel: f32) -> TerrainRelief",
+            format!("terrane_relief({})", all.join(", ")),
+        ),
+        (
+            "trace(relief: TerrainRelief, ray: DisplacedRay) -> DisplacedHit",
+            format!("terrane_displace(ray, relief, {textures})"),
+        ),
+        (
+            "sunlit(relief: TerrainRelief, ray: DisplacedRay, radius: f32) -> f32",
+            unless(no_shadow, "terrane_relief_shadow(ray, radius, relief"),
+        ),
+        (
+            "open(relief: TerrainRelief, point: vec3f, normal: vec3f, turn: f32) -> f32",
+            unless(no_occlusion, "terrane_relief_occlusion(point, normal, turn, relief"),
+        ),
+    ];
+    for (head, value) in functions {
+        shader.line("");
+        shader.open(&format!("fn terrane_{head}"));
+        shader.line(&format!("return {value};"));
+        shader.close();
+    }
 }
 
 fn binding(shader: &mut Shader, binding: usize, declaration: &str) {
@@ -61,4 +118,9 @@ pub(crate) fn array_binding(array: usize) -> usize {
 /// Samplers follow the arrays.
 pub(crate) fn sampler_binding(program: &Program, sampler: usize) -> usize {
     1 + program.arrays.len() + sampler
+}
+
+/// Height maps follow the samplers: of each array its heights, then its bounds.
+pub(crate) fn relief_binding(program: &Program, texture: usize) -> usize {
+    sampler_binding(program, program.samplers.len()) + texture
 }

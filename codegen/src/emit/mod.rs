@@ -1,16 +1,19 @@
 //! WGSL text: the authors' own functions, sliced verbatim, and one `let` for each value, named by its graph path.
 
+mod arguments;
 mod compose;
 mod core;
 mod host;
 mod names;
 mod probe;
+mod relief;
 mod text;
 
 pub use self::core::core;
 pub(crate) use self::core::frame;
+pub(crate) use arguments::arguments;
 pub use host::{MATERIAL_GROUP, host};
-pub(crate) use host::{array_binding, sampler_binding};
+pub(crate) use host::{array_binding, relief_binding, sampler_binding};
 pub use probe::{Probe, probe};
 pub use text::{Place, Shader};
 

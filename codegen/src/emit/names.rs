@@ -7,7 +7,7 @@ use crate::program::{Op, Program, ValueId, unique};
 use crate::value::Type;
 
 /// What the body declares itself.
-const WORDS: [&str; 11] = [
+const WORDS: [&str; 21] = [
     "terrain",
     "parameters",
     "albedo",
@@ -19,6 +19,16 @@ const WORDS: [&str; 11] = [
     "weight",
     "raw_sum",
     "highest_score",
+    "tangent",
+    "bitangent",
+    "pixel",
+    "axes",
+    "coordinates",
+    "fade",
+    "deepest",
+    "largest",
+    "bottom",
+    "relief",
 ];
 
 /// Names and spellings of the values of one shader.
@@ -36,6 +46,8 @@ impl<'a> Names<'a> {
         let mut taken: BTreeSet<String> = reserved.chain(library.names.keys().cloned()).chain(layers).collect();
         taken.extend(WORDS.map(str::to_owned));
         taken.extend(program.arrays.iter().map(crate::program::TextureArray::name));
+        let relief = program.relief.iter().flat_map(super::relief::textures);
+        taken.extend(relief.map(|(name, _)| name));
         taken.extend(program.samplers.iter().map(|sampler| sampler.name()));
         let mut names = Self { program, names: BTreeMap::new(), taken };
         for id in live.iter().filter(|id| !program.pool.get(**id).is_inline()) {

@@ -57,7 +57,7 @@ codes! {
     UNUSED_TEXTURE = "TG152" "unused-texture" "A texture that nothing reads.";
     UNUSED_INPUT = "TG153" "unused-input" "An input of an instance that nothing in it reads.";
     IGNORED_CHANNEL = "TG154" "ignored-channel" "A texture's `channel` goes to a node that decides itself which channel it reads.";
-    RELIEF_NOT_TRACED = "TG155" "relief-not-traced" "A relief is asked for, and nothing traces it yet: the picture would look as if it were not there.";
+    RELIEF_NOT_TRACED = "TG155" "relief-not-traced" "Something of a relief is asked for that no tracer does: the picture would show something else.";
     NO_PROJECT = "TG160" "no-project" "No folder on the way up holds a `terrane.ron`, so that no path can be found.";
 }
 

@@ -3,6 +3,7 @@
 use naga::TypeInner;
 use sha2::{Digest, Sha256};
 
+use super::relief::relief;
 use super::{
     FileInfo, InputInfo, LayerInfo, LimitsInfo, Manifest, ParameterInfo, PermutationInfo, SamplerInfo, SourceLine,
     TerrainInfo, TextureInfo, UniformInfo, VERSION,
@@ -55,6 +56,7 @@ pub fn manifest(parts: &Parts<'_>, sources: &Sources) -> Manifest {
         parameters,
         textures: textures(program),
         samplers: samplers(program),
+        relief: relief(program, parts.patch),
         permutations: vec![permutation(parts, sources)],
     }
 }
@@ -163,11 +165,16 @@ fn samplers(program: &Program) -> Vec<SamplerInfo> {
 
 fn limits(program: &Program, uniform: Option<&UniformInfo>) -> LimitsInfo {
     LimitsInfo {
-        sampled_textures: program.arrays.len() as u32,
+        sampled_textures: (program.arrays.len() + 2 * reliefs(program)) as u32,
         samplers: program.samplers.len() as u32,
         uniform_bytes: uniform.map_or(0, |uniform| uniform.size),
         texture_array_layers: program.arrays.iter().map(|array| array.files.len() as u32).max().unwrap_or(0),
     }
+}
+
+/// Arrays of height maps.
+fn reliefs(program: &Program) -> usize {
+    program.relief.as_ref().map_or(0, |relief| relief.arrays.len())
 }
 
 fn permutation(parts: &Parts<'_>, sources: &Sources) -> PermutationInfo {

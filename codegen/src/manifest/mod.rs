@@ -1,6 +1,7 @@
 //! Everything that an engine must know to use an emitted shader, as JSON.
 
 mod build;
+mod relief;
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -37,6 +38,9 @@ pub struct Manifest {
     pub textures: Vec<TextureInfo>,
     /// Samplers.
     pub samplers: Vec<SamplerInfo>,
+    /// The displaced surface; absent where no layer has one, or the terrain traces none.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub relief: Option<ReliefInfo>,
     /// What the material takes of a device's limits, beside what the host takes.
     pub limits: LimitsInfo,
     /// The shaders, and where each is to be used.
@@ -161,6 +165,71 @@ pub struct SamplerInfo {
     pub filter: String,
     /// 1..16.
     pub max_anisotropy: u16,
+}
+
+/// The displaced surface: functions of the core, and the textures that they read.
+///
+/// `terrane_relief` places it under a pixel, `terrane_displace` traces the eye's ray, `terrane_relief_shadow` and
+/// `terrane_relief_occlusion` are there if the terrain asks for them. The last arguments of all are the textures, in order.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct ReliefInfo {
+    /// How rays are traced: the method, as `terrane measure` names it.
+    pub method: String,
+    /// Arguments of `terrane_relief`, in order.
+    pub arguments: Vec<String>,
+    /// Metres from the eye: where relief begins to fade, and where it is gone.
+    pub fade: [f32; 2],
+    /// Metres from the ground to the lowest point.
+    pub deepest: f32,
+    /// Height maps, with their bounds.
+    pub arrays: Vec<ReliefArrayInfo>,
+}
+
+/// Height maps of one size in two texture arrays of `r16uint`.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct ReliefArrayInfo {
+    /// The heights, all mips.
+    pub heights: ReliefTextureInfo,
+    /// The bounds over them.
+    pub bounds: ReliefTextureInfo,
+    /// What each layer was made of, and where its texels are.
+    pub layers: Vec<ReliefLayerInfo>,
+}
+
+/// A texture array of whole numbers.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct ReliefTextureInfo {
+    /// Argument of the core's functions; the host's variable has `terrane_` before it.
+    pub name: String,
+    /// Bind group in the host shader.
+    pub group: u32,
+    /// Binding in the host shader.
+    pub binding: u32,
+    /// WebGPU texture format.
+    pub format: String,
+    /// `2d-array`.
+    pub dimension: String,
+    /// `uint`.
+    pub sample_type: String,
+    /// Texels.
+    pub width: u32,
+    /// Texels.
+    pub height: u32,
+    /// Levels of the mip chain.
+    pub mip_levels: u32,
+}
+
+/// A height map.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
+pub struct ReliefLayerInfo {
+    /// The image, project-relative.
+    pub file: String,
+    /// Its channel.
+    pub channel: u8,
+    /// Texels of the heights beside the manifest: little-endian, row by row, mip after mip.
+    pub heights: String,
+    /// Texels of the bounds, likewise.
+    pub bounds: String,
 }
 
 /// Use of limits.

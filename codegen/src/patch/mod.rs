@@ -34,6 +34,24 @@ pub struct Specialization {
     pub guard: bool,
     /// The surface outputs that differ between layers, and so must be blended.
     pub blended: BTreeSet<&'static str>,
+    /// What tracing the displaced surface needs, where a visible layer has one.
+    pub relief: Option<ReliefPart>,
     /// Everything that is computed or read, inputs first.
     pub live: BTreeSet<ValueId>,
+}
+
+/// The values of a displaced surface: all of them always run.
+#[derive(Clone, Debug)]
+pub struct ReliefPart {
+    /// Masks, where the ray enters.
+    pub masks: Scopes,
+    /// Coordinates of the height maps.
+    pub coordinates: Scopes,
+}
+
+impl ReliefPart {
+    /// All of them.
+    pub fn live(&self) -> BTreeSet<ValueId> {
+        self.masks.live().into_iter().chain(self.coordinates.live()).collect()
+    }
 }

@@ -2,9 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::{Combination, Scope, Scopes, Specialization};
+use super::{Combination, ReliefPart, Scope, Scopes, Specialization};
 use crate::graph::model::Blend;
-use crate::program::{Options, Program};
+use crate::program::{Options, Program, ProgramLayer};
 use crate::value::Literal;
 
 /// Decides what a combination of layers needs.
@@ -28,8 +28,25 @@ pub fn specialize(program: &Program, combination: &Combination, options: Options
         }
     }
     scopes.settle(&program.pool);
-    let live = scopes.live();
-    Specialization { combination: combination.clone(), layers, scopes, guard: options.guard, blended, live }
+    let relief = relief(program, &layers);
+    let traced = relief.iter().flat_map(ReliefPart::live);
+    let live = scopes.live().into_iter().chain(traced).collect();
+    Specialization { combination: combination.clone(), layers, scopes, guard: options.guard, blended, relief, live }
+}
+
+/// Every visible layer is asked how much of the ground it covers, those with a relief also where their maps lie.
+fn relief(program: &Program, layers: &[usize]) -> Option<ReliefPart> {
+    let layers: Vec<&ProgramLayer> = layers.iter().map(|layer| &program.layers[*layer]).collect();
+    layers.iter().any(|layer| layer.relief.is_some()).then(|| {
+        let (mut masks, mut coordinates) = (Scopes::default(), Scopes::default());
+        layers.iter().skip(1).for_each(|layer| masks.demand(layer.mask, Scope::Root));
+        for relief in layers.iter().filter_map(|layer| layer.relief) {
+            coordinates.demand(relief.uv, Scope::Root);
+        }
+        masks.settle(&program.pool);
+        coordinates.settle(&program.pool);
+        ReliefPart { masks, coordinates }
+    })
 }
 
 /// Layers whose mask is known to be 0 are gone, and so is what lies under a mask known to be 1.

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::{Op, Program, ProgramTexture, ValueId};
+use super::{LayerRelief, Op, Program, ProgramTexture, ReliefArray, ValueId};
 
 impl Program {
     /// Keeps only what these values read; bindings and the uniform block shrink to it.
@@ -22,6 +22,39 @@ impl Program {
             Op::Texture(index) => Op::Texture(new_textures.get(index).copied().unwrap_or(*index)),
             other => other.clone(),
         });
+    }
+
+    /// Forgets every displaced surface.
+    pub fn flatten(&mut self) {
+        self.relief = None;
+        self.layers.iter_mut().for_each(|layer| layer.relief = None);
+    }
+
+    /// Keeps only the height maps of these layers.
+    pub fn keep_reliefs(&mut self, visible: &[usize]) {
+        let Some(relief) = &mut self.relief else { return };
+        let visible = |index: &usize| visible.contains(index);
+        let used: BTreeSet<(usize, usize)> = self
+            .layers
+            .iter()
+            .enumerate()
+            .filter(|(index, _)| visible(index))
+            .filter_map(|(_, layer)| layer.relief.map(|relief| (relief.array, relief.layer)))
+            .collect();
+        let arrays = renumber(&used.iter().map(|(array, _)| *array).collect());
+        let maps = |array: usize| renumber(&used.iter().filter(|(of, _)| *of == array).map(|(_, map)| *map).collect());
+        for layer in self.layers.iter_mut().enumerate().filter(|(index, _)| visible(index)).map(|(_, layer)| layer) {
+            layer.relief = layer.relief.map(|relief| LayerRelief {
+                array: arrays[&relief.array],
+                layer: maps(relief.array)[&relief.layer],
+                ..relief
+            });
+        }
+        let kept = |(array, maps): (usize, BTreeMap<usize, usize>)| ReliefArray {
+            size: relief.arrays[array].size,
+            maps: maps.keys().map(|map| relief.arrays[array].maps[*map].clone()).collect(),
+        };
+        relief.arrays = arrays.keys().map(|array| (*array, maps(*array))).map(kept).collect();
     }
 
     fn keep_textures(&mut self, kept: &BTreeSet<usize>) {

@@ -1,9 +1,11 @@
 //! All materials of a terrain as one pool of values, where equal sub-trees are one value whatever file they came from.
 
+mod affine;
 mod build;
 mod compact;
 mod fold;
 mod pool;
+mod relief;
 mod resource;
 
 use std::collections::BTreeMap;
@@ -12,8 +14,10 @@ use crate::diagnostic::Span;
 use crate::graph::model::{Access, Blend, FrameField};
 use crate::value::{Literal, Type};
 
+pub(crate) use affine::affine;
 pub(crate) use build::unique;
 pub use pool::Pool;
+pub use relief::{LayerRelief, ProgramRelief, ReliefArray, ReliefMap};
 pub use resource::{Format, ProgramParameter, ProgramTexture, SamplerKey, TextureArray};
 
 /// Names a value of a [`Program`]. The inputs of a value have smaller ids than the value.
@@ -81,6 +85,8 @@ pub struct ProgramLayer {
     pub mask: ValueId,
     /// Every surface output but the mask, defaults filled in.
     pub outputs: BTreeMap<&'static str, ValueId>,
+    /// Its displaced surface, where the terrain traces one.
+    pub relief: Option<LayerRelief>,
     /// The layer in the terrain file, or the surface's name in its own.
     pub span: Span,
 }
@@ -128,4 +134,6 @@ pub struct Program {
     pub layers: Vec<ProgramLayer>,
     /// How they meet.
     pub blend: Blend,
+    /// How the displaced surface of the layers is traced, where any has one.
+    pub relief: Option<ProgramRelief>,
 }

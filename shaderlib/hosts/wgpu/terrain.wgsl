@@ -49,19 +49,24 @@ fn terrain_vertex(@location(0) corner: vec2u, tile: HostPatch) -> HostVertex {
     return vertex;
 }
 
-@fragment
-fn terrain_fragment(vertex: HostVertex) -> @location(0) vec4f {
-    let position = Place(vertex.origin, vertex.local, dpdx(vertex.local), dpdy(vertex.local));
+/// A place of the terrain under a pixel.
+struct HostPlace {
+    frame: HostFrame,
+    /// Unit vector to the eye.
+    to_eye: vec3f,
+    /// log2 of the texels of the height map that the pixel covers.
+    level: f32,
+}
+
+/// The place of a pixel, whose neighbours differ by so many metres.
+fn host_place(vertex: HostVertex, ddx: vec3f, ddy: vec3f) -> HostPlace {
+    let position = Place(vertex.origin, vertex.local, ddx, ddy);
     let size = vec2f(textureDimensions(host_height));
     let extent = size * host_view.spacing * vertex.mirror;
     let across = (position.local.xz - vertex.rest) / host_view.spacing * vertex.mirror;
-    let terrain_uv = Coord(
-        (vec2f(vertex.texel) + across + 0.5) / size,
-        position.ddx.xz / extent,
-        position.ddy.xz / extent,
-    );
+    let terrain_uv = Coord((vec2f(vertex.texel) + across + 0.5) / size, ddx.xz / extent, ddy.xz / extent);
 
-    let footprint = max(length(position.ddx.xz / host_view.spacing), length(position.ddy.xz / host_view.spacing));
+    let footprint = max(length(ddx.xz / host_view.spacing), length(ddy.xz / host_view.spacing));
     let finest = f32(textureNumLevels(host_height) - 1u);
     let level = clamp(log2(max(footprint, 1e-6)), 0.0, finest);
     let shape = host_shape_mirrored(host_shape_filtered(vertex.texel, across, level), vertex.mirror);
@@ -81,16 +86,23 @@ fn terrain_fragment(vertex: HostVertex) -> @location(0) vec4f {
         distance,
         host_view.sun,
     );
-    let material = terrane_shade(frame);
+    return HostPlace(frame, to_eye / distance, level);
+}
 
+/// Light that comes from a place to the eye. `sun` and `open` are the shares of the sun and of the sky that its own relief
+/// leaves.
+fn host_ground(vertex: HostVertex, place: HostPlace, material: TerrainOut, sun_share: f32, open: f32) -> vec4f {
+    let frame = place.frame;
     let itself = all(vertex.unfolded == vertex.texel) && all(vertex.mirror > vec2f(0.0));
-    let horizon = host_horizon_at(terrain_uv.uv, level, vertex.mirror, itself);
-    let sky = textureSampleLevel(host_light, host_sampler, terrain_uv.uv, 0i, 0.0);
+    let horizon = host_horizon_at(frame.terrain_uv.uv, place.level, vertex.mirror, itself);
+    let sky = textureSampleLevel(host_light, host_sampler, frame.terrain_uv.uv, 0i, 0.0);
     let visible = vec3f(sky.x * vertex.mirror.x, sky.y, sky.z * vertex.mirror.y);
-    let height = saturate((position.local.y - host_view.low) / host_view.height_range);
-    let sun = mix(host_view.sun_low, host_view.sun_high, height) * host_sun_visible(horizon);
+    let height = saturate((frame.height - host_view.low) / host_view.height_range);
+    let sun = mix(host_view.sun_low, host_view.sun_high, height) * (host_sun_visible(horizon) * sun_share);
+    var occluded = material;
+    occluded.occlusion *= open;
     // Ground is lit by ground of its own kind.
     let light = HostLight(sun, visible, sky.w, material.albedo);
-    let radiance = host_shade(material, normal, to_eye / distance, light);
-    return vec4f(host_through_air(radiance, vertex.clip.xy / host_view.pixels, position.local.y, distance), 1.0);
+    let radiance = host_shade(occluded, frame.normal, place.to_eye, light);
+    return vec4f(host_through_air(radiance, vertex.clip.xy / host_view.pixels, frame.height, frame.distance), 1.0);
 }

@@ -1,5 +1,6 @@
 //! One picture on the device: what is bound, what is drawn, what comes back.
 
+mod displaced;
 mod full_screen;
 mod group;
 mod readback;
@@ -9,6 +10,7 @@ mod terrain;
 mod texture;
 mod uniform;
 
+pub(super) use displaced::Displaced;
 pub(super) use full_screen::FullScreen;
 pub(super) use group::{Bound, Tables};
 pub(super) use readback::read_depth;

@@ -8,16 +8,21 @@ pub(crate) const RADIANCE: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Floa
 /// Depth: 1 near, 0 at infinity.
 pub(crate) const DEPTH: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 
+/// Depth of a displaced surface, before it is put in place of the ground's; 0 where there is none.
+pub(crate) const DISPLACED: wgpu::TextureFormat = wgpu::TextureFormat::R32Float;
+
 /// Radiance and depth of every sample.
 #[derive(Debug)]
 pub(crate) struct Targets {
     pub(crate) radiance: wgpu::Texture,
     pub(crate) depth: wgpu::Texture,
+    /// Only where something is displaced.
+    pub(crate) displaced: Option<wgpu::Texture>,
 }
 
 impl Targets {
     /// For a picture of that many samples across and down.
-    pub(crate) fn new(gpu: &Gpu, width: u32, height: u32) -> Result<Self> {
+    pub(crate) fn new(gpu: &Gpu, width: u32, height: u32, displaced: bool) -> Result<Self> {
         let texture = |label, format, usage| {
             gpu.device.create_texture(&wgpu::TextureDescriptor {
                 label: Some(label),
@@ -33,6 +38,7 @@ impl Targets {
         gpu.checked("picture's memory", || Self {
             radiance: texture("radiance", RADIANCE, wgpu::TextureUsages::TEXTURE_BINDING),
             depth: texture("depth", DEPTH, wgpu::TextureUsages::COPY_SRC),
+            displaced: displaced.then(|| texture("displaced depth", DISPLACED, wgpu::TextureUsages::TEXTURE_BINDING)),
         })
     }
 
@@ -45,17 +51,37 @@ impl Targets {
         })
     }
 
-    /// A pass that keeps the depth and draws light: the first of a picture, or on top of others.
+    /// A pass that keeps the depth and draws the first light of a picture.
+    pub(crate) fn sky_pass<'e>(&self, encoder: &'e mut wgpu::CommandEncoder) -> wgpu::RenderPass<'e> {
+        self.pass(encoder, &[(&self.radiance, true)])
+    }
+
+    /// A pass that keeps the depth and draws light of terrain on top of what is there: the first of them, or another.
     pub(crate) fn light_pass<'e>(&self, encoder: &'e mut wgpu::CommandEncoder, first: bool) -> wgpu::RenderPass<'e> {
-        let load = if first { wgpu::LoadOp::Clear(wgpu::Color::BLACK) } else { wgpu::LoadOp::Load };
+        let displaced = self.displaced.iter().map(|displaced| (displaced, first));
+        self.pass(encoder, &std::iter::once((&self.radiance, false)).chain(displaced).collect::<Vec<_>>())
+    }
+
+    /// A pass that writes depth alone, over what is there.
+    pub(crate) fn displaced_pass<'e>(&self, encoder: &'e mut wgpu::CommandEncoder) -> wgpu::RenderPass<'e> {
+        self.pass(encoder, &[])
+    }
+
+    /// Colours, each cleared or not.
+    fn pass<'e>(
+        &self,
+        encoder: &'e mut wgpu::CommandEncoder,
+        colors: &[(&wgpu::Texture, bool)],
+    ) -> wgpu::RenderPass<'e> {
+        let views: Vec<wgpu::TextureView> = colors.iter().map(|(texture, _)| whole(texture)).collect();
+        let attachments = views.iter().zip(colors).map(|(view, (_, clear))| {
+            let load = if *clear { wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT) } else { wgpu::LoadOp::Load };
+            let ops = wgpu::Operations { load, store: wgpu::StoreOp::Store };
+            Some(wgpu::RenderPassColorAttachment { view, depth_slice: None, resolve_target: None, ops })
+        });
         encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("light"),
-            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                view: &whole(&self.radiance),
-                depth_slice: None,
-                resolve_target: None,
-                ops: wgpu::Operations { load, store: wgpu::StoreOp::Store },
-            })],
+            color_attachments: &attachments.collect::<Vec<_>>(),
             depth_stencil_attachment: Some(depth_attachment(wgpu::LoadOp::Load, &whole(&self.depth))),
             ..Default::default()
         })

@@ -5,7 +5,7 @@ use std::ops::Range;
 use bytemuck::{Pod, Zeroable};
 
 use super::group::Bound;
-use super::targets::{RADIANCE, depth_state};
+use super::targets::{DISPLACED, RADIANCE, depth_state};
 use crate::render::error::Result;
 use crate::render::geometry::{Grid, Patch};
 use crate::render::gpu::Gpu;
@@ -47,8 +47,14 @@ pub(crate) struct TerrainPipeline {
 }
 
 impl TerrainPipeline {
-    /// Compiles a complete host shader.
-    pub(crate) fn new(gpu: &Gpu, shader: &str, bound: &Bound, material: &MaterialGroup) -> Result<Self> {
+    /// Compiles a complete host shader. One whose materials have relief gives depth as a second colour.
+    pub(crate) fn new(
+        gpu: &Gpu,
+        shader: &str,
+        displaced: bool,
+        bound: &Bound,
+        material: &MaterialGroup,
+    ) -> Result<Self> {
         let module = gpu.checked("terrain's shader", || {
             gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
                 label: Some("terrain"),
@@ -61,7 +67,9 @@ impl TerrainPipeline {
                 bind_group_layouts: &[Some(&bound.layout), Some(&material.layout)],
                 immediate_size: 0,
             });
-            Self { depth: pipeline(gpu, &module, &layout, false), light: pipeline(gpu, &module, &layout, true) }
+            let light = [Some(RADIANCE.into()), Some(DISPLACED.into())];
+            let light = if displaced { &light[..] } else { &light[..1] };
+            Self { depth: pipeline(gpu, &module, &layout, &[]), light: pipeline(gpu, &module, &layout, light) }
         })
     }
 }
@@ -70,12 +78,12 @@ fn pipeline(
     gpu: &Gpu,
     module: &wgpu::ShaderModule,
     layout: &wgpu::PipelineLayout,
-    light: bool,
+    targets: &[Option<wgpu::ColorTargetState>],
 ) -> wgpu::RenderPipeline {
     let corners = wgpu::vertex_attr_array![0 => Uint16x2];
     let patches = wgpu::vertex_attr_array![1 => Sint32x2, 2 => Sint32x2, 3 => Sint32x2, 4 => Sint32x2, 5 => Float32x2];
     let buffer = |array_stride, step_mode, attributes| wgpu::VertexBufferLayout { array_stride, step_mode, attributes };
-    let targets = [Some(RADIANCE.into())];
+    let light = !targets.is_empty();
     gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
         label: Some("terrain"),
         layout: Some(layout),
@@ -99,7 +107,7 @@ fn pipeline(
             module,
             entry_point: Some("terrain_fragment"),
             compilation_options: wgpu::PipelineCompilationOptions::default(),
-            targets: &targets,
+            targets,
         }),
         multiview_mask: None,
         cache: None,

@@ -11,6 +11,8 @@ pub(super) use upload::MaterialGroup;
 
 use std::path::PathBuf;
 
+use terrane_shaderlib::relief::Bounds;
+
 pub use terrane_codegen::graph::model::{Filter, Wrap};
 pub use terrane_codegen::program::Format;
 
@@ -74,4 +76,19 @@ pub struct Material {
     pub arrays: Vec<TextureArray>,
     /// Samplers.
     pub samplers: Vec<Sampling>,
+    /// Height maps that are traced.
+    pub reliefs: Vec<Relief>,
+}
+
+/// Height maps of one size that lie in two arrays: heights, and what the tracer knows of them.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Relief {
+    /// `@binding` of the heights and of the bounds in group 1.
+    pub bindings: [u32; 2],
+    /// Width and height of every map.
+    pub size: (u32, u32),
+    /// What the tracer knows.
+    pub bounds: Bounds,
+    /// PNG files and the channel that counts, layer by layer.
+    pub maps: Vec<(PathBuf, u8)>,
 }

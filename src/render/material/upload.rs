@@ -1,8 +1,13 @@
 //! A material on the device.
 
-use rayon::prelude::*;
+use std::path::PathBuf;
 
-use super::{Filter, Material, Sampling, TextureArray, Wrap, decode, mip_chain, texel_bytes, texture_format};
+use rayon::prelude::*;
+use terrane_shaderlib::relief::{Placed, Plane};
+
+use super::{Filter, Material, Relief, Sampling, TextureArray, Wrap, decode, mip_chain, texel_bytes, texture_format};
+use crate::relief::map;
+use crate::relief::texture::textures;
 use crate::render::error::Result;
 use crate::render::gpu::Gpu;
 use crate::render::progress::{Phase, Progress};
@@ -17,12 +22,28 @@ pub(crate) struct MaterialGroup {
 impl MaterialGroup {
     /// Reads the files, builds their mips on all cores, and uploads them.
     pub(crate) fn new(gpu: &Gpu, material: &Material, progress: Progress) -> Result<Self> {
-        let layers = material.arrays.iter().map(|array| array.layers.len() as u64).sum();
-        let phase = progress.phase("textures", layers);
+        let layers = material.arrays.iter().map(|array| array.layers.len()).sum::<usize>();
+        let maps = material.reliefs.iter().map(|relief| relief.maps.len()).sum::<usize>();
+        let phase = progress.phase("textures", (layers + maps) as u64);
         let arrays: Vec<wgpu::TextureView> =
             material.arrays.iter().map(|array| upload(gpu, array, &phase)).collect::<Result<_>>()?;
-        gpu.checked("material's bindings", || bind(gpu, material, &arrays))
+        let reliefs = material.reliefs.iter().map(|relief| upload_relief(gpu, relief, &phase));
+        let reliefs: Vec<[wgpu::TextureView; 2]> = reliefs.collect::<Result<_>>()?;
+        gpu.checked("material's bindings", || bind(gpu, material, &arrays, &reliefs))
     }
+}
+
+fn upload_relief(gpu: &Gpu, relief: &Relief, phase: &Phase) -> Result<[wgpu::TextureView; 2]> {
+    let read = |(path, channel): &(PathBuf, u8)| {
+        let placed = map(path, *channel, relief.size, relief.bounds);
+        phase.advance(1);
+        placed
+    };
+    let placed: Vec<Placed> = relief.maps.par_iter().map(read).collect::<Result<_>>()?;
+    let planes = |plane: fn(&Placed) -> &Plane| placed.iter().map(plane).collect::<Vec<_>>();
+    gpu.checked("height maps", || {
+        [textures(gpu, &planes(|placed| &placed.heights)), textures(gpu, &planes(|placed| &placed.bounds))]
+    })
 }
 
 fn upload(gpu: &Gpu, array: &TextureArray, phase: &Phase) -> Result<wgpu::TextureView> {
@@ -77,7 +98,12 @@ fn write_layer(gpu: &Gpu, texture: &wgpu::Texture, array: &TextureArray, layer: 
     }
 }
 
-fn bind(gpu: &Gpu, material: &Material, arrays: &[wgpu::TextureView]) -> MaterialGroup {
+fn bind(
+    gpu: &Gpu,
+    material: &Material,
+    arrays: &[wgpu::TextureView],
+    reliefs: &[[wgpu::TextureView; 2]],
+) -> MaterialGroup {
     let parameters = material.parameters.as_ref().map(|(binding, bytes)| (*binding, uniform(gpu, bytes)));
     let samplers: Vec<wgpu::Sampler> = material.samplers.iter().map(|sampling| sampler(gpu, *sampling)).collect();
     let mut layout = Vec::new();
@@ -93,12 +119,11 @@ fn bind(gpu: &Gpu, material: &Material, arrays: &[wgpu::TextureView]) -> Materia
         add(*binding, ty, buffer.as_entire_binding());
     }
     for (array, view) in material.arrays.iter().zip(arrays) {
-        let ty = wgpu::BindingType::Texture {
-            sample_type: wgpu::TextureSampleType::Float { filterable: true },
-            view_dimension: wgpu::TextureViewDimension::D2Array,
-            multisampled: false,
-        };
+        let ty = texture_array(wgpu::TextureSampleType::Float { filterable: true });
         add(array.binding, ty, wgpu::BindingResource::TextureView(view));
+    }
+    for (binding, view) in material.reliefs.iter().flat_map(|relief| relief.bindings).zip(reliefs.iter().flatten()) {
+        add(binding, texture_array(wgpu::TextureSampleType::Uint), wgpu::BindingResource::TextureView(view));
     }
     for (sampling, sampler) in material.samplers.iter().zip(&samplers) {
         let ty = wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering);
@@ -113,6 +138,11 @@ fn bind(gpu: &Gpu, material: &Material, arrays: &[wgpu::TextureView]) -> Materia
         entries: &entries,
     });
     MaterialGroup { layout, group }
+}
+
+fn texture_array(sample_type: wgpu::TextureSampleType) -> wgpu::BindingType {
+    let view_dimension = wgpu::TextureViewDimension::D2Array;
+    wgpu::BindingType::Texture { sample_type, view_dimension, multisampled: false }
 }
 
 fn uniform(gpu: &Gpu, bytes: &[u8]) -> wgpu::Buffer {

@@ -11,7 +11,7 @@ use terrane_codegen::compile::{Compiled, Compiler};
 use terrane_codegen::diagnostic::{Diagnostic, Sources, render};
 use terrane_codegen::graph::{FileRole, Project};
 use terrane_codegen::program::Options;
-use terrane_shaderlib::hosts;
+use terrane_shaderlib::hosts::{self, Host};
 
 use crate::tint::{Module, Report, Tint};
 
@@ -31,7 +31,7 @@ fn compile_all(folder: &str) -> Vec<(String, Compiled)> {
 }
 
 fn compile(project: &mut Project, path: &str) -> Result<Option<Compiled>, Vec<Diagnostic>> {
-    let host = hosts::join(hosts::WGPU_TERRAIN);
+    let host = hosts::terrain();
     match project.role(path) {
         Some(FileRole::Terrain) => {
             let (graphs, terrain, _) = project.terrain(path)?;
@@ -45,7 +45,7 @@ fn compile(project: &mut Project, path: &str) -> Result<Option<Compiled>, Vec<Di
     }
 }
 
-fn compiler<'a>(project: &'a Project, host: &'a str) -> Compiler<'a> {
+fn compiler<'a>(project: &'a Project, host: &'a Host) -> Compiler<'a> {
     Compiler { library: &project.library, sources: &project.sources, host, options: Options::default() }
 }
 

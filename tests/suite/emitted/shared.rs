@@ -87,7 +87,7 @@ fn four_materials() -> Project {
 
 fn compile(project: &mut Project, terrain: &str, options: Options) -> Compiled {
     let (graphs, terrain, _) = project.terrain(terrain).unwrap_or_else(|found| fail(&found, &project.sources));
-    let host = hosts::join(hosts::WGPU_TERRAIN);
+    let host = hosts::terrain();
     let compiler = Compiler { library: &project.library, sources: &project.sources, host: &host, options };
     compiler.terrain(&graphs, &terrain).unwrap_or_else(|found| fail(&found, &project.sources))
 }

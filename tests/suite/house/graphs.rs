@@ -36,7 +36,7 @@ fn compile_in(project: &mut Project, path: &str) -> Result<(), Vec<Diagnostic>> 
     if !warnings.is_empty() {
         return Err(warnings);
     }
-    let host = hosts::join(hosts::WGPU_TERRAIN);
+    let host = hosts::terrain();
     let (library, sources) = (&project.library, &project.sources);
     Compiler { library, sources, host: &host, options: Options::default() }.surface(&graphs, surface).map(drop)
 }

@@ -42,8 +42,15 @@ fn nothing_in_the_library_shadows_a_declaration() {
 
 #[test]
 fn nothing_in_a_host_shadows_a_declaration() {
-    let hosts =
-        [hosts::WGPU_TERRAIN, hosts::WGPU_PREVIEW, hosts::WGPU_SKY, hosts::WGPU_RESOLVE, hosts::WGPU_RELIEF_BUILD];
+    let hosts = [
+        hosts::WGPU_TERRAIN,
+        hosts::WGPU_TERRAIN_DISPLACED,
+        hosts::WGPU_PREVIEW,
+        hosts::WGPU_SKY,
+        hosts::WGPU_RESOLVE,
+        hosts::WGPU_DEPTH,
+        hosts::WGPU_RELIEF_BUILD,
+    ];
     let found: Vec<String> = hosts.iter().copied().flatten().flat_map(|file| shadows(file.path, file.text)).collect();
     assert!(found.is_empty(), "{}", found.join("\n"));
 }

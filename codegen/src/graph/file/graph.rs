@@ -207,12 +207,6 @@ fn filled(field: Field<'_>, help: &str, findings: &mut Vec<Diagnostic>) -> Optio
     Some(text)
 }
 
-/// A field that asks for what no tracer does yet.
-pub(crate) fn flat(field: Span) -> Diagnostic {
-    let message = "relief is not traced yet: the surface is drawn flat";
-    Diagnostic::warning(codes::RELIEF_NOT_TRACED, field, message)
-}
-
 /// An output that does not exist.
 pub(crate) fn unknown_output(name: &Named, known: &[&str]) -> Diagnostic {
     let mut finding =

@@ -6,15 +6,17 @@ mod call;
 mod decode;
 mod expr;
 mod graph;
+mod light;
 mod port;
 mod project;
+mod relief;
 mod scene;
 mod terrain;
 mod texture;
 
 pub(crate) use decode::{decode, role_of};
 pub(crate) use expr::{Expr, Value};
-pub(crate) use graph::{AllowEntry, GraphFile, NodeEntry, ReliefEntry, flat, unknown_output};
+pub(crate) use graph::{AllowEntry, GraphFile, NodeEntry, ReliefEntry, unknown_output};
 pub(crate) use port::{PortEntry, PortKind};
 pub(crate) use project::{MadeEntry, ProjectFile};
 pub(crate) use scene::SceneFile;

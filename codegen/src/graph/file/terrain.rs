@@ -1,10 +1,12 @@
 //! Terrains as they are written.
 
+use super::Named;
 use super::call::call;
 use super::expr::{self, Expr};
-use super::{Named, flat};
+use super::light::{occlusion, shadow};
+use super::relief::relief;
 use crate::diagnostic::{Diagnostic, Span};
-use crate::graph::model::{Blend, ReliefMethod, ReliefShadow, ReliefTrace, ReliefWeights, Shadow};
+use crate::graph::model::{Blend, ReliefShadow, ReliefTrace, Shadow};
 use crate::graph::syntax::{Field, Fields, Shape};
 use crate::graph::{codes, limits};
 
@@ -22,7 +24,6 @@ pub(crate) struct TerrainFile {
     pub(crate) blend: Blend,
     pub(crate) relief: Option<ReliefTrace>,
     pub(crate) shadow: Shadow,
-    pub(crate) relief_shadow: ReliefShadow,
     pub(crate) occlusion: u32,
 }
 
@@ -61,8 +62,11 @@ pub(super) fn read(fields: &mut Fields<'_>, findings: &mut Vec<Diagnostic>) -> T
     let relief = fields.take("relief").and_then(|field| relief(field, findings));
     let shadow = fields.take("shadow").map(|field| shadow(field, findings));
     let (shadow, relief_shadow) = shadow.unwrap_or((Shadow::Horizon, ReliefShadow::Off));
-    let occlusion = fields.take("occlusion").and_then(|field| occlusion(field, findings)).unwrap_or(DIRECTIONS);
-    TerrainFile { height, patch, layers, blend, relief, shadow, relief_shadow, occlusion }
+    let occlusion = fields.take("occlusion").map(|field| occlusion(field, findings)).unwrap_or_default();
+    let relief =
+        relief.map(|trace| ReliefTrace { shadow: relief_shadow, occlusion: occlusion.1.unwrap_or(0), ..trace });
+    let occlusion = occlusion.0.unwrap_or(DIRECTIONS);
+    TerrainFile { height, patch, layers, blend, relief, shadow, occlusion }
 }
 
 fn height(field: Field<'_>, findings: &mut Vec<Diagnostic>) -> Option<HeightEntry> {
@@ -142,58 +146,4 @@ fn blend(field: Field<'_>, findings: &mut Vec<Diagnostic>) -> Option<Blend> {
     };
     call.close(findings);
     blend
-}
-
-fn relief(field: Field<'_>, findings: &mut Vec<Diagnostic>) -> Option<ReliefTrace> {
-    let mut fields = Fields::open(field.raw, "`relief`", findings)?;
-    let method = fields.need("method", findings).and_then(|field| method(field, findings));
-    let choices = [("entry", ReliefWeights::Entry), ("along_ray", ReliefWeights::AlongRay)];
-    let weights = fields.take("weights").map_or(Some(ReliefWeights::Entry), |field| field.choice(&choices, findings));
-    let fade = fields.need("fade", findings).and_then(|field| field.range(0.0, 100_000.0, findings));
-    fields.close(findings);
-    let trace = ReliefTrace { method: method?, weights: weights?, fade: fade? };
-    findings.push(flat(field.name_span));
-    Some(trace)
-}
-
-fn method(field: Field<'_>, findings: &mut Vec<Diagnostic>) -> Option<ReliefMethod> {
-    let mut call = call(field, "`auto`", findings)?;
-    if call.name.name != "auto" {
-        findings.push(field.unknown_choice(&call.name.name, &["auto"]));
-        return None;
-    }
-    let max_error = call.fields.need("max_error", findings).and_then(|field| field.number(0.001, 64.0, findings));
-    call.close(findings);
-    max_error.map(|max_error| ReliefMethod::Auto { max_error })
-}
-
-fn shadow(field: Field<'_>, findings: &mut Vec<Diagnostic>) -> (Shadow, ReliefShadow) {
-    let Some(mut fields) = Fields::open(field.raw, "`shadow`", findings) else {
-        return (Shadow::Horizon, ReliefShadow::Off);
-    };
-    let choices = [("off", Shadow::Off), ("horizon", Shadow::Horizon)];
-    let terrain = fields.take("terrain").and_then(|field| field.choice(&choices, findings));
-    let choices = [("off", ReliefShadow::Off), ("hard", ReliefShadow::Hard), ("cone", ReliefShadow::Cone)];
-    let relief = fields.take("relief").and_then(|field| {
-        let choice = field.choice(&choices, findings);
-        findings.extend(choice.filter(|choice| *choice != ReliefShadow::Off).map(|_| flat(field.name_span)));
-        choice
-    });
-    fields.close(findings);
-    (terrain.unwrap_or(Shadow::Horizon), relief.unwrap_or(ReliefShadow::Off))
-}
-
-fn occlusion(field: Field<'_>, findings: &mut Vec<Diagnostic>) -> Option<u32> {
-    let call = call(field, "`occlusion`", findings)?;
-    match call.name.name.as_str() {
-        "off" => {
-            call.close(findings);
-            Some(0)
-        }
-        "directions" => call.only(field, "directions(8)", findings)?.whole(1, 64, findings),
-        other => {
-            findings.push(field.unknown_choice(other, &["off", "directions"]));
-            None
-        }
-    }
 }

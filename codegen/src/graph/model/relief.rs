@@ -1,5 +1,7 @@
 //! Displaced surfaces: of a material, and how a terrain traces and shadows them.
 
+use terrane_shaderlib::relief::Method;
+
 use super::Input;
 use crate::diagnostic::Span;
 
@@ -25,16 +27,32 @@ pub struct ReliefTrace {
     pub weights: ReliefWeights,
     /// Metres from the eye: where relief begins to fade into normal mapping, and where it is gone.
     pub fade: (f32, f32),
+    /// The sun's shadow of the displaced surface on itself.
+    pub shadow: ReliefShadow,
+    /// Directions of the sky's occlusion by the displaced surface, 0 for none.
+    pub occlusion: u32,
 }
 
 /// Which tracer finds the displaced surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ReliefMethod {
-    /// The fastest that keeps its error, on this map and platform.
+    /// The fastest exact one; where the ray's whole way through the relief is shorter than the error, a single look.
     Auto {
         /// Texels of the height map, 0.001..64.
         max_error: f32,
     },
+    /// This one, everywhere.
+    Fixed(Method),
+}
+
+impl ReliefMethod {
+    /// The method of `shaderlib/wgsl/relief` that searches.
+    pub fn search(self) -> Method {
+        match self {
+            Self::Auto { .. } => Method::BEST,
+            Self::Fixed(method) => method,
+        }
+    }
 }
 
 /// Where along a ray the masks of the layers are evaluated.
@@ -55,4 +73,15 @@ pub enum ReliefShadow {
     Hard,
     /// A cone: the further the blocker, the softer.
     Cone,
+}
+
+impl ReliefTrace {
+    /// For a surface that is shown alone: exact, and never faded.
+    pub const ALONE: Self = Self {
+        method: ReliefMethod::Auto { max_error: 0.5 },
+        weights: ReliefWeights::Entry,
+        fade: (1e4, 2e4),
+        shadow: ReliefShadow::Cone,
+        occlusion: 4,
+    };
 }

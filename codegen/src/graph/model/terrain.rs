@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{GraphId, ReliefShadow, ReliefTrace, Texture};
+use super::{GraphId, ReliefTrace, Texture};
 use crate::diagnostic::{SourceId, Span};
 use crate::value::Literal;
 
@@ -82,8 +82,6 @@ pub struct Terrain {
     pub relief: Option<ReliefTrace>,
     /// Whether the terrain throws shadows on itself.
     pub shadow: Shadow,
-    /// Whether the displaced surface throws shadows on itself.
-    pub relief_shadow: ReliefShadow,
     /// Directions of the sky's occlusion by the terrain, 0 for none.
     pub occlusion: u32,
 }

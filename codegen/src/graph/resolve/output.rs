@@ -7,13 +7,15 @@ use super::scope::{Scope, Target};
 use super::texture::Declared;
 use super::wire::Operand;
 use crate::diagnostic::{Diagnostic, Span};
-use crate::graph::file::{Entry, Expr, FileRole, GraphFile, ReliefEntry, Value, flat, unknown_output};
-use crate::graph::model::{ColorSpace, Output, Relief, SURFACE_OUTPUTS};
+use crate::graph::file::{Entry, Expr, FileRole, GraphFile, ReliefEntry, Value, unknown_output};
+use crate::graph::model::{ColorSpace, Output, Relief, SURFACE_OUTPUTS, Wrap};
 use crate::graph::syntax::within;
 use crate::graph::{codes, names};
 use crate::library::{Library, Port};
 use crate::value::Type;
 
+/// Texels on a side of a relief at most: the bounds of all its mips stand in one texture, twice as high.
+const LARGEST: u32 = 4096;
 /// Metres of relief at most.
 const DEEPEST: f32 = 100.0;
 
@@ -133,9 +135,7 @@ pub(super) fn relief(
         None
     };
     let depth = within("depth", &value.depth, 0.0001, DEEPEST, findings);
-    let relief = Relief { texture: texture?, uv: uv?, depth: depth?, span: entry.span };
-    findings.push(flat(entry.name.span).help("its height still takes part in blends by height"));
-    Some(relief)
+    Some(Relief { texture: texture?, uv: uv?, depth: depth?, span: entry.span })
 }
 
 /// A relief's height: one number per texel, because its pyramid is built from the image.
@@ -169,6 +169,14 @@ fn height(scope: &Scope<'_>, textures: &[Declared], expr: &Expr, findings: &mut 
     }
     if *channels > 1 && texture.channel.is_none() {
         return refuse(expr.span, "the height of a relief has several channels", "choose one: `channel: r`");
+    }
+    if texture.wrap != Wrap::Repeat {
+        return refuse(expr.span, "the height of a relief does not repeat", "heights are `wrap: repeat`, on all sides");
+    }
+    let (width, height) = texture.size;
+    if [width, height].iter().any(|side| !side.is_power_of_two() || *side > LARGEST) {
+        let message = format!("the height of a relief is {width}x{height} texels");
+        return refuse(expr.span, &message, &format!("its sides are powers of two, {LARGEST} at most"));
     }
     Some(index)
 }

@@ -32,7 +32,6 @@ impl Session<'_> {
             blend: file.blend,
             relief: file.relief,
             shadow: file.shadow,
-            relief_shadow: file.relief_shadow,
             occlusion: file.occlusion,
         })
     }

@@ -4,9 +4,10 @@ use std::collections::BTreeMap;
 
 use super::Builder;
 use super::graph::Context;
+use super::resource::position;
 use crate::diagnostic::Span;
 use crate::graph::model::{FrameField, GraphId, LayerMask, Relief, SURFACE_OUTPUTS};
-use crate::program::{Op, ProgramLayer, ValueId};
+use crate::program::{LayerRelief, Op, ProgramLayer, ProgramRelief, ReliefArray, ReliefMap, ValueId};
 use crate::value::Literal;
 
 impl<'a> Builder<'a> {
@@ -64,7 +65,24 @@ impl<'a> Builder<'a> {
         let own = outputs.remove("mask").unwrap_or_else(|| self.literal(Literal::f32(1.0)));
         let mask = layer_mask.map_or(own, |mask| self.product(own, mask, &context.path, span));
         let (path, doc) = (graph.path.clone(), graph.doc.clone());
-        self.program.layers.push(ProgramLayer { name, path, doc, mask, outputs, span });
+        let relief = graph.relief.as_ref().and_then(|relief| self.relief(&context, relief));
+        self.program.layers.push(ProgramLayer { name, path, doc, mask, outputs, relief, span });
+    }
+
+    /// The displaced surface, if the terrain traces it.
+    fn relief(&mut self, context: &Context<'a>, relief: &Relief) -> Option<LayerRelief> {
+        let trace = self.trace?;
+        let texture = &context.graph.textures[relief.texture];
+        let uv = self.input(context, &relief.uv);
+        let arrays = &mut self.program.relief.get_or_insert(ProgramRelief { trace, arrays: Vec::new() }).arrays;
+        let array = position(
+            arrays,
+            |array| array.size == texture.size,
+            || ReliefArray { size: texture.size, maps: Vec::new() },
+        );
+        let map = ReliefMap { file: texture.file.clone(), channel: texture.channel.unwrap_or(0) };
+        let layer = position(&mut arrays[array].maps, |known| *known == map, || map.clone());
+        Some(LayerRelief { array, layer, uv, depth: relief.depth, span: relief.span })
     }
 
     fn relief_height(&mut self, context: &Context<'a>, relief: &Relief) -> ValueId {

@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use super::fold::Folder;
 use super::{Options, Pool, Program, ValueId};
 use crate::diagnostic::Span;
-use crate::graph::model::{Blend, GraphId, Graphs, Terrain};
+use crate::graph::model::{Blend, GraphId, Graphs, ReliefTrace, Terrain};
 use crate::library::Library;
 
 pub(crate) use resource::unique;
@@ -19,6 +19,7 @@ impl Program {
     /// Every layer of a terrain.
     pub fn of_terrain(library: &Library, graphs: &Graphs, terrain: &Terrain, options: Options) -> Self {
         let mut builder = Builder::new(library, graphs, options);
+        builder.trace = terrain.relief;
         for layer in &terrain.layers {
             let name = builder.layer_name(layer.surface);
             let mask = builder.layer_mask(&layer.mask);
@@ -30,6 +31,7 @@ impl Program {
     /// One surface alone.
     pub fn of_surface(library: &Library, graphs: &Graphs, surface: GraphId, options: Options) -> Self {
         let mut builder = Builder::new(library, graphs, options);
+        builder.trace = Some(ReliefTrace::ALONE);
         let graph = &graphs.graphs[surface.0];
         let span = Span { source: graph.source, start: 0, end: 0 };
         builder.layer(surface, graph.name.clone(), &BTreeMap::new(), None, span);
@@ -44,6 +46,8 @@ struct Builder<'a> {
     folder: Option<Folder<'a>>,
     program: Program,
     masks: BTreeMap<GraphId, ValueId>,
+    /// How reliefs are traced, if they are.
+    trace: Option<ReliefTrace>,
 }
 
 impl<'a> Builder<'a> {
@@ -57,9 +61,10 @@ impl<'a> Builder<'a> {
             samplers: Vec::new(),
             layers: Vec::new(),
             blend: Blend::Over,
+            relief: None,
         };
         let folder = options.fold.then(|| Folder::new(library));
-        Self { library, graphs, folder, program, masks: BTreeMap::new() }
+        Self { library, graphs, folder, program, masks: BTreeMap::new(), trace: None }
     }
 
     fn finish(mut self, name: &str, blend: Blend) -> Program {

@@ -44,7 +44,7 @@ pub(crate) fn unique(name: String, taken: impl Fn(&str) -> bool) -> String {
 }
 
 /// The position of what fits, after adding it if nothing did.
-fn position<T>(list: &mut Vec<T>, fits: impl Fn(&T) -> bool, make: impl FnOnce() -> T) -> usize {
+pub(super) fn position<T>(list: &mut Vec<T>, fits: impl Fn(&T) -> bool, make: impl FnOnce() -> T) -> usize {
     list.iter().position(fits).unwrap_or_else(|| {
         list.push(make());
         list.len() - 1

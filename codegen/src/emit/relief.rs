@@ -1,0 +1,251 @@
+//! The displaced surface of a shader's layers: where it lies, and what a ray meets of it.
+
+use super::arguments::arguments;
+use super::compose::Composer;
+use super::names::{Names, layer_word};
+use super::text::{Place, Shader};
+use crate::graph::model::{ReliefMethod, ReliefShadow};
+use crate::library::Library;
+use crate::patch::{ReliefPart, Scope, Scopes, Specialization};
+use crate::program::{LayerRelief, Program, ProgramLayer, ProgramRelief};
+use crate::value::Literal;
+
+/// Writes the functions around the displaced surface.
+struct Writer<'a> {
+    program: &'a Program,
+    patch: &'a Specialization,
+    relief: &'a ProgramRelief,
+    part: &'a ReliefPart,
+    names: &'a Names<'a>,
+    shader: &'a mut Shader,
+}
+
+/// Everything about relief, if there is any.
+pub(super) fn relief(shader: &mut Shader, library: &Library, program: &Program, patch: &Specialization) {
+    if let (Some(part), Some(relief)) = (&patch.relief, &program.relief) {
+        let names = Names::new(library, program, &patch.live);
+        let mut writer = Writer { program, patch, relief, part, names: &names, shader };
+        writer.structs();
+        writer.coordinates();
+        writer.place();
+        writer.search();
+        writer.displace();
+        writer.shadow();
+        writer.occlusion();
+    }
+}
+
+/// Names and types of the textures of all height maps.
+pub(crate) fn textures(relief: &ProgramRelief) -> Vec<(String, &'static str)> {
+    let names = relief.arrays.iter().flat_map(|array| [array.heights(), array.bounds()]);
+    names.map(|name| (name, "texture_2d_array<u32>")).collect()
+}
+
+impl Writer<'_> {
+    /// Visible layers, bottom to top.
+    fn layers(&self) -> impl Iterator<Item = (usize, &ProgramLayer)> {
+        self.patch.layers.iter().map(|layer| &self.program.layers[*layer]).enumerate()
+    }
+
+    /// Those that have a relief.
+    fn displaced(&self) -> Vec<(String, LayerRelief)> {
+        self.layers().filter_map(|(_, layer)| Some((layer.name.clone(), layer.relief?))).collect()
+    }
+
+    fn structs(&mut self) {
+        let names: Vec<String> = self.displaced().into_iter().map(|(name, _)| name).collect();
+        self.shader.line("");
+        self.shader.line("/// Coordinates of the height maps.");
+        self.shader.open("struct TerrainCoordinates");
+        names.iter().for_each(|name| self.shader.line(&format!("{name}: Coord,")));
+        self.shader.close();
+        self.shader.line("");
+        self.shader.line("/// The displaced ground at one place.");
+        self.shader.open("struct TerrainRelief");
+        self.shader
+            .line("deepest: f32,     // metres from the ground down to the lowest point; 0 where nothing is displaced");
+        self.shader.line("bottom: f32,      // metres from the ground down to the highest layer without a relief");
+        names.iter().for_each(|name| self.shader.line(&format!("{name}: DisplacedLayer,")));
+        self.shader.close();
+    }
+
+    fn values(&mut self, scopes: &Scopes) {
+        for id in scopes.values(&self.program.pool, Scope::Root) {
+            let line = format!("let {} = {};", self.names.name(id), self.names.expression(id));
+            self.shader.mapped(Place::Value(id), &line);
+        }
+    }
+
+    fn coordinates(&mut self) {
+        let arguments = arguments(self.program, &self.part.coordinates.live(), &[], &[]);
+        self.shader.line("");
+        self.shader.line("/// Coordinates of the height maps at a place.");
+        self.shader.open(&format!("fn terrane_coordinates({}) -> TerrainCoordinates", arguments.declared()));
+        let part = self.part;
+        self.values(&part.coordinates);
+        let values: Vec<String> = self.displaced().iter().map(|(_, relief)| self.names.read(relief.uv)).collect();
+        self.shader.line(&format!("return TerrainCoordinates({});", values.join(", ")));
+        self.shader.close();
+    }
+
+    fn place(&mut self) {
+        let before = ["tangent: vec3f", "bitangent: vec3f", "pixel: f32"];
+        let behind: Vec<String> =
+            self.relief.arrays.iter().map(|array| format!("{}: texture_2d_array<u32>", array.heights())).collect();
+        let all = arguments(self.program, &self.part.live(), &before, &behind);
+        self.shader.line("");
+        self.shader.line("/// The displaced ground under a place. The two vectors span the ground, with length 1; a pixel is so wide in metres.");
+        self.shader.open(&format!("fn terrane_relief({}) -> TerrainRelief", all.declared()));
+        let part = self.part;
+        self.values(&part.masks);
+        let (program, patch, names) = (self.program, self.patch, self.names);
+        if patch.layers.len() > 1 {
+            Composer { program, patch, names, shader: &mut *self.shader }.shares();
+        }
+        self.axes();
+        self.depths();
+        self.shader.close();
+    }
+
+    fn axes(&mut self) {
+        let inner = arguments(self.program, &self.part.coordinates.live(), &[], &[]);
+        self.shader.line("");
+        self.shader.line("// Coordinates carry their gradients: those along the ground are the axes of the map.");
+        self.shader.line("var axes = terrain;");
+        self.shader.line("axes.position.ddx = tangent;");
+        self.shader.line("axes.position.ddy = bitangent;");
+        let call: Vec<&str> = std::iter::once("axes").chain(inner.names().skip(1)).collect();
+        self.shader.line(&format!("let coordinates = terrane_coordinates({});", call.join(", ")));
+    }
+
+    fn depths(&mut self) {
+        let (near, far) = self.relief.trace.fade;
+        let number = |value: f32| Literal::f32(value).wgsl();
+        self.shader.line(&format!("let fade = displaced_fade(terrain.distance, {}, {});", number(near), number(far)));
+        let deepest = self.displaced().iter().map(|(_, relief)| relief.depth).fold(0.0, f32::max);
+        self.shader.line(&format!("let deepest = fade * {};", number(deepest)));
+        let many = self.patch.layers.len() > 1;
+        if many {
+            let shares: Vec<String> = self.layers().map(|(_, layer)| layer_word(&layer.name, "share")).collect();
+            let largest = shares[1..].iter().fold(shares[0].clone(), |all, share| format!("max({all}, {share})"));
+            self.shader.line(&format!("let largest = {largest};"));
+        }
+        self.shader.line("var bottom = deepest;");
+        let flat: Vec<String> =
+            self.layers().filter(|(_, layer)| layer.relief.is_none()).map(|(_, layer)| layer.name.clone()).collect();
+        for name in flat {
+            let share = layer_word(&name, "share");
+            self.shader.line(&format!("bottom = min(bottom, displaced_sink({share}, largest, deepest));"));
+        }
+        let layers: Vec<String> =
+            self.displaced().iter().map(|(name, relief)| self.layer(name, relief, many)).collect();
+        self.shader.line("return TerrainRelief(");
+        self.shader.line(&format!("    deepest,\n        bottom,\n        {},", layers.join(",\n        ")));
+        self.shader.line(");");
+    }
+
+    fn layer(&self, name: &str, relief: &LayerRelief, many: bool) -> String {
+        let heights = self.relief.arrays[relief.array].heights();
+        let depth = format!("fade * {}", Literal::f32(relief.depth).wgsl());
+        let share = layer_word(name, "share");
+        let (depth, sink) = if many {
+            let present = format!("select(0.0f, {depth}, {share} > TERRANE_VISIBLE)");
+            (present, format!("displaced_sink({share}, largest, deepest)"))
+        } else {
+            (depth, "0.0f".to_owned())
+        };
+        let map = format!("textureDimensions({heights}), textureNumLevels({heights}), {}i", relief.layer);
+        format!("displaced_layer(coordinates.{name}, {map}, {depth}, {sink}, pixel)")
+    }
+
+    /// The first hit of one layer, between the two mips that fit the pixel.
+    fn search(&mut self) {
+        let call = |mip: &str| {
+            self.relief.trace.method.search().call("heights", "bounds", &format!("{mip}_field"), &format!("{mip}.ray"))
+        };
+        let (fine, coarse) = (call("fine"), call("coarse"));
+        self.shader.line("");
+        self.shader.line("/// The first hit of one layer, on the mip that fits the pixel or between two.");
+        self.shader.open(
+            "fn terrane_search(layer: DisplacedLayer, ray: DisplacedRay, heights: texture_2d_array<u32>, bounds: texture_2d_array<u32>) -> DisplacedHit",
+        );
+        self.shader.line("let size = textureDimensions(heights);");
+        self.shader.line("let mip = i32(layer.level);");
+        self.shader.line("let fine = displaced_search(layer, ray, mip);");
+        self.shader.line("let fine_field = displaced_field(size, layer, mip);");
+        if let ReliefMethod::Auto { max_error } = self.relief.trace.method {
+            let error = Literal::f32(max_error).wgsl();
+            self.shader.open(&format!("if displaced_way(fine) <= {error}"));
+            self.shader.line("return displaced_glance(heights, fine_field, fine);");
+            self.shader.close();
+        }
+        self.shader.line(&format!("let hit = displaced_found(fine, {fine});"));
+        self.shader.line("let part = displaced_coarser(layer.level);");
+        self.shader.open("if part == 0.0f");
+        self.shader.line("return hit;");
+        self.shader.close();
+        self.shader.line("let coarse = displaced_search(layer, ray, mip + 1i);");
+        self.shader.line("let coarse_field = displaced_field(size, layer, mip + 1i);");
+        self.shader.line(&format!("return displaced_between(hit, displaced_found(coarse, {coarse}), part);"));
+        self.shader.close();
+    }
+
+    /// A function over all layers that are there: its head, what it begins with, a line for each layer, what it returns.
+    fn over_layers(&mut self, doc: &str, head: &str, [begin, each, end]: [&str; 3]) {
+        let textures = textures(self.relief).into_iter().map(|(name, ty)| format!("{name}: {ty}"));
+        let arguments: Vec<String> = std::iter::once("relief: TerrainRelief".to_owned()).chain(textures).collect();
+        self.shader.line("");
+        self.shader.line(doc);
+        self.shader.open(&head.replace("RELIEF", &arguments.join(", ")));
+        self.shader.line(begin);
+        for (name, relief) in self.displaced() {
+            let array = &self.relief.arrays[relief.array];
+            self.shader.open(&format!("if relief.{name}.depth > 0.0f"));
+            let maps = format!("{}, {}", array.heights(), array.bounds());
+            self.shader.line(&each.replace("LAYER", &format!("relief.{name}")).replace("MAPS", &maps));
+            self.shader.close();
+        }
+        self.shader.line(end);
+        self.shader.close();
+    }
+
+    fn displace(&mut self) {
+        self.over_layers(
+            "/// Where a ray from the eye meets the displaced ground.",
+            "fn terrane_displace(ray: DisplacedRay, RELIEF) -> DisplacedHit",
+            [
+                "var hit = displaced_plane(ray, relief.bottom);",
+                "hit = displaced_nearer(hit, terrane_search(LAYER, ray, MAPS));",
+                "return hit;",
+            ],
+        );
+    }
+
+    fn shadow(&mut self) {
+        let each = match self.relief.trace.shadow {
+            ReliefShadow::Off => return,
+            ReliefShadow::Hard => "share = min(share, displaced_lit(LAYER, ray, MAPS));",
+            ReliefShadow::Cone => "share = min(share, displaced_disc(LAYER, ray, radius, MAPS));",
+        };
+        self.over_layers(
+            "/// How much of a disc the displaced ground leaves visible; `radius` is the tangent of its angular radius.",
+            "fn terrane_relief_shadow(ray: DisplacedRay, radius: f32, RELIEF) -> f32",
+            ["var share = 1.0f;", each, "return share;"],
+        );
+    }
+
+    fn occlusion(&mut self) {
+        let directions = self.relief.trace.occlusion;
+        if directions > 0 {
+            self.over_layers(
+                "/// How much of the sky's light the displaced ground lets in, on a surface with a normal; `turn` is an angle.",
+                "fn terrane_relief_occlusion(point: vec3f, normal: vec3f, turn: f32, RELIEF) -> f32",
+                [
+                    "var share = 1.0f;",
+                    &format!("share = min(share, displaced_open(LAYER, point, normal, turn, {directions}u, MAPS));"),
+                    "return share;",
+                ],
+            );
+        }
+    }
+}

@@ -1,0 +1,40 @@
+//! Height maps of materials: from a channel of an image to what a method reads.
+
+use std::path::Path;
+
+use terrane_shaderlib::heightfield::{Border, Heights, Texels};
+use terrane_shaderlib::relief::{Bounds, Placed};
+
+use crate::render::RenderError;
+use crate::render::material::{Samples, open, samples};
+
+/// Nodes after which the shaders of materials give a search up; they bring their own number, this one is not read.
+const LIMIT: u32 = 16_384;
+
+/// A channel of a PNG that repeats, as 16-bit heights with their bounds.
+///
+/// # Errors
+/// [`RenderError::Texture`] for a file that cannot be read or has another size.
+pub fn map(path: &Path, channel: u8, size: (u32, u32), bounds: Bounds) -> Result<Placed, RenderError> {
+    read(path, channel, size, bounds).map_err(|reason| RenderError::Texture { path: path.to_owned(), reason })
+}
+
+fn read(path: &Path, channel: u8, size: (u32, u32), bounds: Bounds) -> Result<Placed, String> {
+    let mut reader = open(path)?;
+    let (width, height) = reader.info().size();
+    if (width, height) != size {
+        return Err(format!("is {width} x {height}, expected {} x {}", size.0, size.1));
+    }
+    let channels = reader.output_color_type().0.samples();
+    let pick = usize::from(channel).min(channels - 1);
+    let texels: Vec<u16> = match samples(&mut reader)? {
+        Samples::Sixteen(values) => values.into_iter().skip(pick).step_by(channels).collect(),
+        // 255 becomes 65535.
+        Samples::Eight(values) => {
+            values.into_iter().skip(pick).step_by(channels).map(|byte| u16::from(byte) * 257).collect()
+        }
+    };
+    let heights =
+        Heights::new([width, height], Border::Wrap, Texels::U16(texels)).map_err(|error| error.to_string())?;
+    Placed::new(&heights, bounds, LIMIT).map_err(|error| error.to_string())
+}
