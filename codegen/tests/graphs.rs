@@ -229,8 +229,9 @@ fn a_terrain_and_its_scene_are_resolved() {
         ((256, 256), (4096.0, 4096.0), (0.0, 1200.0))
     );
     assert_eq!((terrain.patch, terrain.blend, terrain.occlusion), (64.0, Blend::HeightSoft { band: 0.15 }, 8));
-    assert_eq!((terrain.shadow, terrain.relief_shadow), (Shadow::Horizon, ReliefShadow::Cone));
     let relief = terrain.relief.expect("it has one");
+    assert_eq!((terrain.shadow, relief.shadow), (Shadow::Horizon, ReliefShadow::Cone));
+
     assert_eq!(
         (relief.method, relief.weights, relief.fade),
         (ReliefMethod::Auto { max_error: 0.5 }, ReliefWeights::Entry, (40.0, 60.0))

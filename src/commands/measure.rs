@@ -5,9 +5,7 @@ mod output;
 use std::path::PathBuf;
 
 use terrane::file;
-use terrane::measure::{
-    Attack, BuiltIn, MAPS, Plan, Row, Subject, csv, measure, pyramids, pyramids_csv, pyramids_table,
-};
+use terrane::measure::{Attack, BuiltIn, MAPS, Plan, Row, Subject, measure, pyramids, pyramids_csv, pyramids_table};
 use terrane::measure::{attack, read, recommend, table, verdicts};
 use terrane::relief::Timing;
 use terrane::render::{Gpu, Progress, Selection};

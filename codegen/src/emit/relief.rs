@@ -224,8 +224,8 @@ impl Writer<'_> {
     fn shadow(&mut self) {
         let each = match self.relief.trace.shadow {
             ReliefShadow::Off => return,
-            ReliefShadow::Hard => "share = min(share, displaced_lit(LAYER, ray, MAPS));",
-            ReliefShadow::Cone => "share = min(share, displaced_disc(LAYER, ray, radius, MAPS));",
+            ReliefShadow::Hard => "share = min(share, displaced_light_hard(LAYER, ray, MAPS));",
+            ReliefShadow::Cone => "share = min(share, displaced_light_disc(LAYER, ray, radius, MAPS));",
         };
         self.over_layers(
             "/// How much of a disc the displaced ground leaves visible; `radius` is the tangent of its angular radius.",
@@ -242,7 +242,7 @@ impl Writer<'_> {
                 "fn terrane_relief_occlusion(point: vec3f, normal: vec3f, turn: f32, RELIEF) -> f32",
                 [
                     "var share = 1.0f;",
-                    &format!("share = min(share, displaced_open(LAYER, point, normal, turn, {directions}u, MAPS));"),
+                    &format!("share = min(share, displaced_light_sky(LAYER, point, normal, turn, {directions}u, MAPS));"),
                     "return share;",
                 ],
             );

@@ -8,11 +8,13 @@
 
 /// The relief of one layer.
 struct DisplacedLayer {
-    /// The cell of the finest mip under the place, and where in it.
+    /// The cell of the finest mip under the place.
     cell: vec2i,
+    /// Where in it, 0..1.
     place: vec2f,
-    /// Texels per metre along x, and along y.
+    /// Texels per metre along x.
     along_x: vec2f,
+    /// Texels per metre along y.
     along_y: vec2f,
     /// Metres from height 1 down to height 0; 0 for a layer that is not there.
     depth: f32,
@@ -26,7 +28,9 @@ struct DisplacedLayer {
 
 /// A ray in the frame of a place; its direction has length 1.
 struct DisplacedRay {
+    /// Where it starts.
     origin: vec3f,
+    /// Where it leads.
     direction: vec3f,
 }
 
@@ -42,12 +46,15 @@ struct DisplacedHit {
 
 /// A cell of a mip, and a place in it.
 struct DisplacedCell {
+    /// The cell.
     cell: vec2i,
+    /// Where in it, 0..1.
     place: vec2f,
 }
 
 /// A ray as a method takes it, and the way back to metres.
 struct DisplacedSearch {
+    /// What is traced.
     ray: ReliefRay,
     /// Metres along the ray where t is 0.
     start: f32,

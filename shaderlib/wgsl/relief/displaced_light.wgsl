@@ -2,23 +2,25 @@
 //! Source: Terrane; shadow rays on the displaced surface after Drobot, "Quadtree Displacement Mapping with Height Blending", GPU Pro 1, 2010, section 1.5.
 
 /// A ray over a layer's map from a point on or over the displaced ground, and what its slope means.
-struct DisplacedSight {
+struct DisplacedLightRay {
+    /// From over the ground to the light.
     ray: ReliefRay,
+    /// The mip that it is traced on.
     field: ReliefField,
     /// Steps of height that are as high as a texel of the ray's way is long.
     steps: f32,
 }
 
 /// Steps by which a ray starts over the ground, which is in its own shadow.
-const DISPLACED_LIFT: f32 = 2.0;
+const DISPLACED_LIGHT_LIFT: f32 = 2.0;
 
 /// From a point towards a light, in the frame of the place; the light stands over the ground.
-fn displaced_sight(
+fn displaced_light_ray(
     layer: DisplacedLayer,
     point: vec3f,
     light: vec3f,
     heights: texture_2d_array<u32>,
-) -> DisplacedSight {
+) -> DisplacedLightRay {
     let mip = i32(layer.level);
     let field = displaced_field(textureDimensions(heights), layer, mip);
     let steps = DISPLACED_STEPS / layer.depth;
@@ -28,42 +30,42 @@ fn displaced_sight(
     // A light in the zenith still has a way over the ground.
     let fastest = max(max(abs(texels.x), abs(texels.y)), 1e-4);
     let way = select(texels, vec2f(fastest, texels.y), all(abs(texels) < vec2f(fastest))) / fastest;
-    let own = displaced_height(heights, field, start) + DISPLACED_LIFT;
+    let own = displaced_light_height(heights, field, start) + DISPLACED_LIGHT_LIFT;
     let height = max(DISPLACED_STEPS + (point.z + layer.sink) * steps, own);
     let rise = max(light.z, 1e-4) * steps / fastest;
     let end = min(max(DISPLACED_STEPS + 1.0 - height, 0.0) / rise, DISPLACED_LONGEST);
     let ray = ReliefRay(start.cell, vec3f(start.place, height), vec3f(way, rise), end);
     let metres = length(light.xy) / fastest;
-    return DisplacedSight(ray, field, max(metres, 1e-6) * steps / length(way));
+    return DisplacedLightRay(ray, field, max(metres, 1e-6) * steps / length(way));
 }
 
 /// The height under the start of a ray.
-fn displaced_height(heights: texture_2d_array<u32>, field: ReliefField, start: DisplacedCell) -> f32 {
+fn displaced_light_height(heights: texture_2d_array<u32>, field: ReliefField, start: DisplacedCell) -> f32 {
     let corners = relief_corners(heights, field, start.cell, vec2i(0));
     return mix(mix(corners.x, corners.y, start.place.x), mix(corners.z, corners.w, start.place.x), start.place.y);
 }
 
 /// 1 where the middle of the sun is seen, else 0.
-fn displaced_lit(
+fn displaced_light_hard(
     layer: DisplacedLayer,
     ray: DisplacedRay,
     heights: texture_2d_array<u32>,
     bounds: texture_2d_array<u32>,
 ) -> f32 {
-    let sight = displaced_sight(layer, ray.origin, ray.direction, heights);
+    let sight = displaced_light_ray(layer, ray.origin, ray.direction, heights);
     let hit = shadow_hard_trace(heights, bounds, sight.field, sight.ray);
     return select(1.0, 0.0, hit.state == RELIEF_HIT);
 }
 
 /// The share of the sun's disc that is seen; `radius` is the tangent of its angular radius.
-fn displaced_disc(
+fn displaced_light_disc(
     layer: DisplacedLayer,
     ray: DisplacedRay,
     radius: f32,
     heights: texture_2d_array<u32>,
     bounds: texture_2d_array<u32>,
 ) -> f32 {
-    let sight = displaced_sight(layer, ray.origin, ray.direction, heights);
+    let sight = displaced_light_ray(layer, ray.origin, ray.direction, heights);
     let sent = ReliefRay(sight.ray.cell, sight.ray.origin, sight.ray.direction, DISPLACED_LONGEST);
     let seen = shadow_cone_share(heights, bounds, sight.field, sent, sight.steps, radius, DISPLACED_STEPS, 1u, 1.0);
     return seen.share;
@@ -72,7 +74,7 @@ fn displaced_disc(
 /// The share of an even sky's light that reaches a surface with this normal, by so many directions, turned by an angle.
 ///
 /// Texels are taken as squares, as wide as the map's mean.
-fn displaced_open(
+fn displaced_light_sky(
     layer: DisplacedLayer,
     point: vec3f,
     normal: vec3f,
@@ -81,7 +83,7 @@ fn displaced_open(
     heights: texture_2d_array<u32>,
     bounds: texture_2d_array<u32>,
 ) -> f32 {
-    let sight = displaced_sight(layer, point, vec3f(1.0, 0.0, 1.0), heights);
+    let sight = displaced_light_ray(layer, point, vec3f(1.0, 0.0, 1.0), heights);
     let side = f32(1i << u32(sight.field.mip));
     let area = abs(layer.along_x.x * layer.along_y.y - layer.along_x.y * layer.along_y.x);
     let texel = side * inverseSqrt(max(area, 1e-12));
@@ -89,7 +91,7 @@ fn displaced_open(
     // No farther than ten depths: what stands there is low.
     let reach = min(10.0 * layer.depth / texel, 256.0);
     let sent = ReliefRay(sight.ray.cell, sight.ray.origin, vec3f(1.0, 0.0, 0.0), reach);
-    let turned = displaced_turned(layer, normal);
+    let turned = displaced_light_turned(layer, normal);
     let seen = occlusion_directions_search(
         heights, bounds, sight.field, sent, turned, steps, turn, DISPLACED_STEPS, directions,
     );
@@ -97,7 +99,7 @@ fn displaced_open(
 }
 
 /// A vector of the place's frame in that of the map.
-fn displaced_turned(layer: DisplacedLayer, way: vec3f) -> vec3f {
+fn displaced_light_turned(layer: DisplacedLayer, way: vec3f) -> vec3f {
     let size = sqrt(max(abs(layer.along_x.x * layer.along_y.y - layer.along_x.y * layer.along_y.x), 1e-12));
     return normalize(vec3f((way.x * layer.along_x + way.y * layer.along_y) / size, way.z));
 }

@@ -18,7 +18,7 @@ use terrane_codegen::diagnostic::{Sources, render};
 use terrane_codegen::graph::{Memory, Project};
 use terrane_codegen::library::Library;
 use terrane_codegen::program::Options;
-use terrane_shaderlib::hosts;
+use terrane_shaderlib::hosts::{self, Host};
 
 use crate::emitted::layout::groups;
 use crate::tint::{Module, Report, Tint};
@@ -54,14 +54,14 @@ impl Shelf {
 }
 
 /// The project, compiled; the message says what was wrong with which file.
-fn compile(project: &mut Project, host: &str, options: Options) -> Result<Compiled, String> {
+fn compile(project: &mut Project, host: &Host, options: Options) -> Result<Compiled, String> {
     let (graphs, terrain, _) =
         project.terrain("graphs/terrains/random.ron").map_err(|found| render(&found, &project.sources, false))?;
     let compiler = Compiler { library: &project.library, sources: &project.sources, host, options };
     compiler.terrain(&graphs, &terrain).map_err(|found| render(&found, &project.sources, false))
 }
 
-fn check(shelf: &Mutex<Shelf>, host: &str, tint: Option<&Mutex<Tint>>, genes: &[u16]) -> Result<usize, TestCaseError> {
+fn check(shelf: &Mutex<Shelf>, host: &Host, tint: Option<&Mutex<Tint>>, genes: &[u16]) -> Result<usize, TestCaseError> {
     let mut shelf = shelf.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
     let mut project = shelf.open(genes);
     let found = compare(&mut project, host, tint);
@@ -73,7 +73,7 @@ fn check(shelf: &Mutex<Shelf>, host: &str, tint: Option<&Mutex<Tint>>, genes: &[
     })
 }
 
-fn compare(project: &mut Project, host: &str, tint: Option<&Mutex<Tint>>) -> Result<usize, String> {
+fn compare(project: &mut Project, host: &Host, tint: Option<&Mutex<Tint>>) -> Result<usize, String> {
     let first = compile(project, host, Options::default())?;
     let second = compile(project, host, Options::default())?;
     if first.host.text != second.host.text || first.manifest != second.manifest {
@@ -84,7 +84,7 @@ fn compare(project: &mut Project, host: &str, tint: Option<&Mutex<Tint>>) -> Res
     }
     // Values are compared below the host: what declares `HostFrame` will do.
     let frame = hosts::WGPU_TERRAIN.iter().find(|file| file.path == "wgpu/frame.wgsl").expect("every host has a frame");
-    let host = frame.text;
+    let host = &Host { flat: frame.text.into(), displaced: None };
     let optimised = compile(project, host, Options { guard: false, ..Options::default() })?;
     let plain = compile(project, host, Options::plain())?;
     values::compare(&project.library, &optimised, &plain)
@@ -111,7 +111,7 @@ fn random_projects_compile_and_keep_their_values() {
         }
     };
     let shelf = Mutex::new(Shelf::new());
-    let host = hosts::join(hosts::WGPU_TERRAIN);
+    let host = hosts::terrain();
     let config = Config { cases: CASES, failure_persistence: None, max_shrink_iters: 300, ..Config::default() };
     // The same projects on every machine: a failure is one for everybody.
     let random = proptest::test_runner::TestRng::deterministic_rng(config.rng_algorithm);

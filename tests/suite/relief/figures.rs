@@ -2,7 +2,7 @@
 
 use terrane::content;
 use terrane::content::recipe::{Arguments, maker};
-use terrane::measure::{Subject, built_in};
+use terrane::measure::{MAPS, Subject};
 use terrane::relief::{Lighter, Lighting, Turn};
 use terrane::render::Gpu;
 use terrane_codegen::graph::recipe::recipe;
@@ -66,7 +66,9 @@ fn print(gpu: &Gpu, place: &Place<'_>, points: &[[f64; 2]], truth: &[f64], metho
 #[ignore = "takes minutes: `cargo test --test suite relief::figures -- --ignored --nocapture` prints a table"]
 fn shadow_and_occlusion() {
     let Some(gpu) = device() else { return };
-    let materials = built_in(SIDE)
+    let materials = MAPS
+        .iter()
+        .map(|map| map.make(SIDE))
         .into_iter()
         .filter(|subject| ["cracked_rock", "pebbles", "hills", "cracks"].contains(&&*subject.name));
     for subject in materials.chain(mountains()) {

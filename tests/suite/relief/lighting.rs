@@ -1,13 +1,13 @@
 //! Shadow and occlusion on the device against dense visibility in f64.
 
 use rayon::prelude::*;
-use terrane::measure::{Subject, built_in};
+use terrane::measure::{MAPS, Subject};
 use terrane::relief::{LIFT, Lighter, Lighting, Scene, Seen, Segment, Tracer, Turn};
 use terrane::render::Gpu;
 use terrane_shaderlib::heightfield::adversary::{Depth, LANDS, Land, Random, map};
 use terrane_shaderlib::heightfield::visibility::{Sun, Visibility};
 use terrane_shaderlib::heightfield::{Border, Heights, Ray, Texels};
-use terrane_shaderlib::relief::{Bounds, Placed};
+use terrane_shaderlib::relief::{Bounds, Method, Placed};
 
 use super::{LIMIT, device, fault, lands};
 use crate::skip::Skip;
@@ -89,7 +89,7 @@ fn largest(differences: &[f64]) -> f64 {
 
 /// Maps with blockers of every kind.
 fn subjects(side: u32) -> Vec<Subject> {
-    let subjects = built_in(side);
+    let subjects: Vec<Subject> = MAPS.iter().map(|map| map.make(side)).collect();
     assert!(subjects.len() >= 7, "only {} maps", subjects.len());
     subjects
 }

@@ -6,7 +6,7 @@ use terrane::relief::{Outcome, Segment, Setup, Traced, Tracer, shader, tiled_sha
 use terrane_codegen::machine::domain::Cell;
 use terrane_codegen::machine::{Count, Domain, F32, F64, Load, Machine, Sample, Textures, Value};
 use terrane_shaderlib::heightfield::Heights;
-use terrane_shaderlib::relief::{Field, Method, Placed, Plane, Words};
+use terrane_shaderlib::relief::{Field, Method, Placed, Plane};
 
 use super::{LIMIT, device, lands};
 

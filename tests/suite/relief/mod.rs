@@ -13,8 +13,8 @@ use terrane::measure::Judge;
 use terrane::relief::{Outcome, Segment, Traced, Tracer, shader, tiled_shader};
 use terrane::render::{Gpu, Selection};
 use terrane_shaderlib::heightfield::adversary::{AIMS, Case, Depth, LANDS, Random, Rays, SIZES, map};
-use terrane_shaderlib::heightfield::{Border, Heights, Ray, first_hit};
-use terrane_shaderlib::relief::{Bounds, Displacement, Method, Placed};
+use terrane_shaderlib::heightfield::{Border, Heights};
+use terrane_shaderlib::relief::{Displacement, Method, Placed};
 
 use crate::skip::Skip;
 use crate::tint::{Module, Tint};
