@@ -28,7 +28,19 @@ pub const WGPU_TERRAIN_DISPLACED: &[SourceFile] = &[
     host!("wgpu/ground.wgsl"),
     host!("wgpu/light.wgsl"),
     host!("wgpu/terrain.wgsl"),
+    host!("wgpu/traced.wgsl"),
     host!("wgpu/displaced.wgsl"),
+];
+
+/// The same for looking at the search itself. `terrain_fragment` gives what it cost and how far it went.
+pub const WGPU_TERRAIN_SEARCHED: &[SourceFile] = &[
+    host!("wgpu/view.wgsl"),
+    host!("wgpu/frame.wgsl"),
+    host!("wgpu/ground.wgsl"),
+    host!("wgpu/light.wgsl"),
+    host!("wgpu/terrain.wgsl"),
+    host!("wgpu/traced.wgsl"),
+    host!("wgpu/searched.wgsl"),
 ];
 
 /// Plain WebGPU: one material on a square and a ball. Entry points `preview_vertex` and `preview_fragment`.
@@ -65,6 +77,12 @@ pub struct Host {
 #[must_use]
 pub fn terrain() -> Host {
     Host { flat: join(WGPU_TERRAIN), displaced: Some(join(WGPU_TERRAIN_DISPLACED)) }
+}
+
+/// The same, but materials with relief show what the search for it did.
+#[must_use]
+pub fn searched() -> Host {
+    Host { flat: join(WGPU_TERRAIN), displaced: Some(join(WGPU_TERRAIN_SEARCHED)) }
 }
 
 /// The host that shows one material.

@@ -93,6 +93,7 @@ fn ground(shader: &mut Shader, program: &Program, patch: &Specialization, part: 
             "sunlit(relief: TerrainRelief, ray: DisplacedRay, radius: f32) -> f32",
             unless(no_shadow, "terrane_relief_shadow(ray, radius, relief"),
         ),
+        ("texels(relief: TerrainRelief) -> f32", texels(patch, program)),
         (
             "open(relief: TerrainRelief, point: vec3f, normal: vec3f, turn: f32) -> f32",
             unless(no_occlusion, "terrane_relief_occlusion(point, normal, turn, relief"),
@@ -104,6 +105,13 @@ fn ground(shader: &mut Shader, program: &Program, patch: &Specialization, part: 
         shader.line(&format!("return {value};"));
         shader.close();
     }
+}
+
+/// log2 of the texels in a metre, of the finest map that is there.
+fn texels(patch: &Specialization, program: &Program) -> String {
+    let names = patch.layers.iter().map(|layer| &program.layers[*layer]).filter(|layer| layer.relief.is_some());
+    let all = names.map(|layer| format!("displaced_texels(relief.{})", layer.name));
+    all.reduce(|all, one| format!("max({all}, {one})")).unwrap_or_default()
 }
 
 fn binding(shader: &mut Shader, binding: usize, declaration: &str) {

@@ -130,13 +130,11 @@ impl Writer<'_> {
             let largest = shares[1..].iter().fold(shares[0].clone(), |all, share| format!("max({all}, {share})"));
             self.shader.line(&format!("let largest = {largest};"));
         }
-        self.shader.line("var bottom = deepest;");
         let flat: Vec<String> =
             self.layers().filter(|(_, layer)| layer.relief.is_none()).map(|(_, layer)| layer.name.clone()).collect();
-        for name in flat {
-            let share = layer_word(&name, "share");
-            self.shader.line(&format!("bottom = min(bottom, displaced_sink({share}, largest, deepest));"));
-        }
+        let sinks = flat.iter().map(|name| format!("displaced_sink({}, largest, deepest)", layer_word(name, "share")));
+        let bottom = sinks.fold("deepest".to_owned(), |bottom, sink| format!("min({bottom}, {sink})"));
+        self.shader.line(&format!("let bottom = {bottom};"));
         let layers: Vec<String> =
             self.displaced().iter().map(|(name, relief)| self.layer(name, relief, many)).collect();
         self.shader.line("return TerrainRelief(");

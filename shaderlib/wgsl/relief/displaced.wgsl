@@ -101,6 +101,12 @@ fn displaced_layer(
     );
 }
 
+/// log2 of the texels in a metre of a layer; far below 0 for one that is not there.
+fn displaced_texels(layer: DisplacedLayer) -> f32 {
+    let area = abs(layer.along_x.x * layer.along_y.y - layer.along_x.y * layer.along_y.x);
+    return select(-64.0, 0.5 * log2(max(area, 1e-12)), layer.depth > 0.0);
+}
+
 /// Share of the depth that is left between the distances where relief begins to fade and where it is gone.
 fn displaced_fade(distance: f32, near: f32, far: f32) -> f32 {
     return 1.0 - smoothstep(near, far, distance);

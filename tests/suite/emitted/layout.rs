@@ -25,7 +25,12 @@ fn material(manifest: &Manifest) -> Vec<Value> {
         .samplers
         .iter()
         .map(|sampler| json!({ "binding": sampler.binding, "visibility": DRAWING, "sampler": {} }));
-    uniform.chain(textures).chain(samplers).collect()
+    let reliefs = manifest.relief.iter().flat_map(|relief| &relief.arrays);
+    let reliefs = reliefs.flat_map(|array| [&array.heights, &array.bounds]).map(|texture| {
+        let kind = json!({ "viewDimension": texture.dimension, "sampleType": texture.sample_type });
+        json!({ "binding": texture.binding, "visibility": DRAWING, "texture": kind })
+    });
+    uniform.chain(textures).chain(samplers).chain(reliefs).collect()
 }
 
 fn host(module: &naga::Module) -> Vec<Value> {

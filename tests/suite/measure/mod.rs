@@ -92,7 +92,7 @@ fn mistakes_are_said_before_anything_is_measured() {
     let scratch = Scratch::of("examples/build_script");
     for (arguments, why) in [
         (&["--methods", "wlak"][..], "there is no method `wlak`; did you mean `walk`?"),
-        (&["--methods", "linear_secant(0)"], "`(0)` is no budget of `linear_secant(STEPS)`, in whole numbers above 0"),
+        (&["--methods", "linear_secant(0)"], "`(0)` is no budget of `linear_secant(STEPS)`"),
         (&["--maps", "brick"], "there is no map `brick`; did you mean `bricks`?"),
         (&["--sides", "1000"], "their sides are powers of two from 16 to 8192"),
         (&["--elevations", "20,0.1"], "degrees are 0.5 to 75"),
