@@ -52,7 +52,7 @@ impl Method {
             Self::Walk => exact("walk_trace"),
             Self::MaximumMipmaps => exact("maximum_mipmaps_trace"),
             Self::RobustCone => exact("robust_cone_trace"),
-            Self::ConeStep(steps) => format!("cone_step_trace({bounds}, {field}, {ray}, {steps}u)"),
+            Self::ConeStep(steps) => format!("cone_step_trace({heights}, {bounds}, {field}, {ray}, {steps}u)"),
             Self::RelaxedCone(steps, halvings) => {
                 format!("relaxed_cone_trace({heights}, {bounds}, {field}, {ray}, {steps}u, {halvings}u)")
             }
