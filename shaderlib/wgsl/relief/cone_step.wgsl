@@ -4,7 +4,8 @@
 //! Source: Dummer, "Cone Step Mapping: An Iterative Ray-Heightfield Intersection Algorithm", 2006: the loop of so many steps, and the exact one.
 
 /// The hit that cone steps lead to. So many `steps` are taken, and where they end is the hit, whether the ground is there or
-/// not; with 0 steps it goes on until it is in the ground, each time a texel farther than the cone, and then back that texel.
+/// not; with 0 steps it goes on until it is in the ground, each time a texel farther than the cone, and then back that texel. The
+/// heights are not read: they stand beside the cones.
 fn cone_step_trace(
     heights: texture_2d_array<u32>,
     bounds: texture_2d_array<u32>,

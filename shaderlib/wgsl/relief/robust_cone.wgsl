@@ -42,7 +42,9 @@ fn robust_cone_trace(
     var leaves = 0u;
     loop {
         state = robust_cone_to_cell(bounds, field, frame, state);
-        if !state.stands {
+        // Only in the first cell can it stand at the end. That is asked here again because of Mesa 22.3's llvmpipe: of a lane that
+        // left the inner loop past its end, before others, it may say that it stands.
+        if !state.stands || (state.t >= frame.end && state.steps > 1u) {
             break;
         }
         leaves++;
@@ -87,16 +89,14 @@ fn robust_cone_to_cell(
         let lowest = gap + frame.direction.z * select(0.0, state.leave - state.t, falls);
         state.steps++;
         state.stands = lowest <= 0.0;
-        if state.stands || state.steps >= field.limit {
-            break;
-        }
         let free = gap - slope * ROBUST_CONE_ROUNDING * (state.t + 1.0);
         // A ray that rises as steeply as the cone never leaves it.
         let closing = max(slope * across - frame.direction.z, 1e-6);
-        state.t = max(state.t + free / closing, state.leave);
-        let at = floor(frame.origin.xy + frame.direction.xy * state.t) + 1.0;
-        state.sides = max(robust_cone_next(state.sides, reach), at);
-        if state.t >= frame.end {
+        let far = max(state.t + free / closing, state.leave);
+        let at = floor(frame.origin.xy + frame.direction.xy * far) + 1.0;
+        state.sides = select(max(robust_cone_next(state.sides, reach), at), state.sides, state.stands);
+        state.t = select(far, state.t, state.stands);
+        if state.stands || state.t >= frame.end || state.steps >= field.limit {
             break;
         }
     }
