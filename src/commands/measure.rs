@@ -5,7 +5,7 @@ mod output;
 use std::path::PathBuf;
 
 use terrane::file;
-use terrane::measure::{BuiltIn, MAPS, Plan, Row, Subject, csv, measure, pyramids, pyramids_csv, pyramids_table};
+use terrane::measure::{BuiltIn, MAPS, Plan, Row, Subject, measure, pyramids, pyramids_csv, pyramids_table};
 use terrane::measure::{read, recommend, table};
 use terrane::relief::Timing;
 use terrane::render::{Gpu, Progress, Selection};
