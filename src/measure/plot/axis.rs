@@ -132,7 +132,7 @@ mod tests {
         let labels = |low: f64, high: f64| -> Vec<String> {
             Axis::new([low, high].into_iter()).ticks().into_iter().filter_map(|tick| tick.label).collect()
         };
-        assert_eq!(labels(12.0, 150.0), ["10", "20", "50", "100"]);
+        assert_eq!(labels(12.0, 150.0), ["10", "20", "50", "100", "200"]);
         assert_eq!(labels(7.0, 7.0), ["5", "10", "20"]);
         assert_eq!(label(5, -12), "5·10⁻¹²");
         // Nothing but zeros is no reason to fail.
