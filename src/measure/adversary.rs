@@ -36,9 +36,9 @@ pub struct Verdict {
     pub by_fault: [u64; 4],
     /// Those that would be faults, but for a ray beside this one by no more than f32 lacks: see [`Judge::is_beside`].
     pub beside: u64,
-    /// Right hits that are more than a texel from the true one: the ray passes a place so closely that a step of height decides.
-    pub elsewhere: u64,
-    /// Texels between the other hits and the true ones, without rays that graze.
+    /// Right hits that are those of the ray some rounding away, and not the true ones: it passes a place so closely.
+    pub decided: u64,
+    /// Texels between hits and the true ones, or those of the ray some rounding away; without rays that graze.
     pub distances: Histogram,
     /// The first faults in words.
     pub first: Vec<String>,
@@ -147,7 +147,7 @@ fn judge(batch: &Batch, traced: &[Vec<Traced>], before: &[Verdict]) -> Vec<Verdi
 impl Verdict {
     fn new(method: Method) -> Self {
         let distances = Histogram::default();
-        Self { method, rays: 0, hits: 0, by_fault: [0; 4], beside: 0, elsewhere: 0, distances, first: Vec::new() }
+        Self { method, rays: 0, hits: 0, by_fault: [0; 4], beside: 0, decided: 0, distances, first: Vec::new() }
     }
 
     /// All that is wrong.
@@ -169,8 +169,10 @@ impl Verdict {
             return;
         }
         match judge.distance(traced) {
-            Some(distance) if distance > 1.0 => self.elsewhere += 1,
-            Some(distance) => self.distances.add(distance),
+            Some((distance, decided)) => {
+                self.distances.add(distance);
+                self.decided += u64::from(decided);
+            }
             None => {}
         }
     }
@@ -179,7 +181,7 @@ impl Verdict {
         self.rays += more.rays;
         self.hits += more.hits;
         self.beside += more.beside;
-        self.elsewhere += more.elsewhere;
+        self.decided += more.decided;
         self.by_fault.iter_mut().zip(more.by_fault).for_each(|(count, more)| *count += more);
         self.distances.join(&more.distances);
         self.tell(&more.first);
@@ -194,13 +196,13 @@ impl Verdict {
 /// The verdicts as a table. Distances are texels.
 #[must_use]
 pub fn table(verdicts: &[Verdict]) -> String {
-    let head = ["rays", "hits", "unresolved", "missed", "early", "late", "beside", "elsewhere", "p99.9", "max"];
+    let head = ["rays", "hits", "unresolved", "missed", "early", "late", "beside", "decided", "p99.9", "max"];
     let mut text = format!("{:24}", "method") + &head.map(|name| format!(" {name:>11}")).concat() + "\n";
     for verdict in verdicts {
         let Verdict {
-            method, rays, hits, by_fault: [given_up, missed, early, late], beside, elsewhere, distances, ..
+            method, rays, hits, by_fault: [given_up, missed, early, late], beside, decided, distances, ..
         } = verdict;
-        let counts = [*rays, *hits, *given_up, *missed, *early, *late, *beside, *elsewhere];
+        let counts = [*rays, *hits, *given_up, *missed, *early, *late, *beside, *decided];
         let counts = counts.map(|count| format!(" {count:>11}")).concat();
         let errors = [distances.quantile(0.999), distances.max()].map(|error| format!(" {error:>11.1e}")).concat();
         // Writing to a string cannot fail.

@@ -11,6 +11,9 @@ const DEPTH: f64 = 0.05;
 /// Cosine between ray and normal below which a ray grazes: there a step of height is many texels of path.
 const GRAZES: f64 = 0.01;
 
+/// Texels between hits below which nobody asks why.
+const NEAR: f64 = 5e-4;
+
 /// What is wrong with an outcome.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fault {
@@ -57,10 +60,8 @@ impl<'a> Judge<'a> {
     /// docs/relief/proof.md derives: that is all that a shader can be asked for along walls.
     #[must_use]
     pub fn is_beside(&self, traced: &Traced) -> bool {
-        let (first, last) = self.segment.range;
-        let t = if let Outcome::Hit(t) = traced.outcome { t } else { last };
-        let texels = (t - first) * self.fastest();
-        self.fault_beside(traced, (7.0 * texels + 13.0) / 16_777_216.0).is_none()
+        let t = if let Outcome::Hit(t) = traced.outcome { t } else { self.segment.range.1 };
+        self.fault_beside(traced, self.lacking(t)).is_none()
     }
 
     /// As [`Self::fault`], but the ray may run so many texels to the left or to the right.
@@ -79,9 +80,10 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// Texels between a hit and the true one, where there are both and the ray does not graze the ground.
+    /// Texels between a hit and the true one, where there are both and the ray does not graze the ground; and whether rounding
+    /// decides: the hit is nearer to that of the ray some rounding higher, lower or beside, which then counts.
     #[must_use]
-    pub fn distance(&self, traced: &Traced) -> Option<f64> {
+    pub fn distance(&self, traced: &Traced) -> Option<(f64, bool)> {
         let (Some(hit), Outcome::Hit(t)) = (self.truth, traced.outcome) else { return None };
         let texels = texels_a_step(self.heights);
         let [x, y, z] = self.segment.ray.direction;
@@ -92,7 +94,24 @@ impl<'a> Judge<'a> {
         let normal = [-slopes[0] * texels, -slopes[1] * texels, 1.0];
         let dot: f64 = (0..3).map(|axis| along[axis] * normal[axis]).sum();
         let cosine = dot.abs() / (length(along) * length(normal));
-        (cosine > GRAZES).then(|| (t - hit.t).abs() * length(along))
+        let plain = (t - hit.t).abs() * length(along);
+        let rounded = || self.rounded(t).map(|other| (t - other).abs() * length(along)).fold(plain, f64::min);
+        (cosine > GRAZES).then(|| match plain > NEAR {
+            true => (rounded(), rounded() < 0.5 * plain),
+            false => (plain, false),
+        })
+    }
+
+    /// First hits of the ray by as much higher, lower and beside as f32 rounds after its path to t.
+    fn rounded(&self, t: f64) -> impl Iterator<Item = f64> {
+        let (steps, texels) = (step(self.heights) / 64.0, self.lacking(t));
+        let all = [(0.0, steps), (0.0, -steps), (texels, 0.0), (-texels, 0.0)];
+        all.into_iter().filter_map(|(left, up)| self.first_hit(left, up).map(|hit| hit.t))
+    }
+
+    /// Texels that positions in f32 lack at t.
+    fn lacking(&self, t: f64) -> f64 {
+        (7.0 * (t - self.segment.range.0) * self.fastest() + 13.0) / 16_777_216.0
     }
 
     /// All there is to know, for a report.

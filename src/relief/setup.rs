@@ -129,7 +129,8 @@ impl Setup {
         let [x, y, z] = ray.direction.map(f64::abs);
         // A vertical ray is parametrised by its height, so that nothing overflows.
         let fastest = x.max(y).max(z / f64::from(1 << 17));
-        let scale = if fastest > 0.0 { 1.0 / fastest } else { 1.0 };
+        // One that stands still, or is so slow that the inverse overflows, has no direction: all of it is its start.
+        let scale = Some(1.0 / fastest).filter(|scale| scale.is_finite()).unwrap_or(1.0);
         let places = [0, 1].map(|axis| Place::new(heights, ray, axis, first));
         let end = (last - first) / scale;
         let device = DeviceRay {

@@ -78,7 +78,8 @@ fn walk_trace(
             return ReliefHit(t, RELIEF_HIT, cell ^ frame.mirror, state.steps, leaves);
         }
         state.t = state.leave;
-        if state.t >= frame.end {
+        // The limit here as well: the inner loop ends at every cell that may be hit.
+        if state.t >= frame.end || state.steps >= field.limit {
             break;
         }
         state.node = walk_next(frame, field, state.node, sides * frame.inverse + frame.before);

@@ -45,7 +45,7 @@ impl<'a> Built<'a> {
                 passes,
                 source: texture(format, extent.size, 1, Usage::TEXTURE_BINDING | Usage::COPY_DST),
                 heights: texture(SIXTEEN, extent.filled, extent.mips, drawn),
-                quadtree: texture(SIXTEEN, extent.filled, levels, drawn),
+                quadtree: texture(SIXTEEN, extent.filled, levels, drawn | Usage::COPY_DST),
                 bounds: texture(SIXTEEN, extent.image(), 1, Usage::TEXTURE_BINDING | Usage::COPY_DST | Usage::COPY_SRC),
             }
         })?;
@@ -104,11 +104,15 @@ impl<'a> Built<'a> {
             if level == 0 {
                 self.draw(encoder, Pass::Cells, (&self.heights, mip), target, &nodes);
             } else {
-                nodes = halved(&nodes);
+                let parents = halved(&nodes);
+                // What lies beside the drawn children is of the mip that was built there last, until it is fetched.
+                for children in parents.iter().map(doubled).filter(|children| !nodes.contains(children)) {
+                    self.copy(encoder, (mip, level - 1), &children, Way::Back);
+                }
+                nodes = parents;
                 self.draw(encoder, Pass::Nodes, (&self.quadtree, mip + level - 1), target, &nodes);
             }
-            let place = self.extent.place(mip, level);
-            nodes.iter().for_each(|region| self.copy(encoder, mip + level, region, place));
+            nodes.iter().for_each(|region| self.copy(encoder, (mip, level), region, Way::There));
         }
     }
 
@@ -123,7 +127,8 @@ impl<'a> Built<'a> {
         self.passes.draw(self.gpu, encoder, pass, [view(from), view(to)], regions);
     }
 
-    fn copy(&self, encoder: &mut wgpu::CommandEncoder, mip_level: u32, [x, y]: &Region, place: [u32; 2]) {
+    /// A region of a level of a mip's quadtree, to the image of all bounds or back.
+    fn copy(&self, encoder: &mut wgpu::CommandEncoder, (mip, level): (u32, u32), [x, y]: &Region, way: Way) {
         let at = |texture, mip_level, [x, y]: [u32; 2]| wgpu::TexelCopyTextureInfo {
             texture,
             mip_level,
@@ -131,8 +136,10 @@ impl<'a> Built<'a> {
             aspect: wgpu::TextureAspect::All,
         };
         let size = wgpu::Extent3d { width: x.end - x.start, height: y.end - y.start, depth_or_array_layers: 1 };
-        let from = at(&self.quadtree, mip_level, [x.start, y.start]);
-        let to = at(&self.bounds, 0, [place[0] + x.start, place[1] + y.start]);
+        let place = self.extent.place(mip, level);
+        let alone = at(&self.quadtree, mip + level, [x.start, y.start]);
+        let among = at(&self.bounds, 0, [place[0] + x.start, place[1] + y.start]);
+        let (from, to) = if way == Way::There { (alone, among) } else { (among, alone) };
         encoder.copy_texture_to_texture(from, to, size);
     }
 
@@ -152,6 +159,18 @@ impl<'a> Built<'a> {
         let size = wgpu::Extent3d { width: x.end - x.start, height: y.end - y.start, depth_or_array_layers: 1 };
         self.gpu.checked("relief's map", || self.gpu.queue.write_texture(target, bytes, layout, size))
     }
+}
+
+/// Between the quadtree of one mip and the image of all bounds.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Way {
+    There,
+    Back,
+}
+
+/// The children of some nodes.
+fn doubled(region: &Region) -> Region {
+    region.clone().map(|range| 2 * range.start..2 * range.end)
 }
 
 /// The texels of a map as a device takes them.
