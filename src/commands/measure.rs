@@ -85,6 +85,14 @@ fn methods(text: &str) -> Result<Methods, String> {
     })
 }
 
+/// One method with its budget.
+pub(super) fn method(text: &str) -> Result<Method, String> {
+    match methods(text)?.0[..] {
+        [method] => Ok(method),
+        _ => Err(format!("`{text}` has a budget: write it in brackets")),
+    }
+}
+
 fn number(text: &str, range: std::ops::RangeInclusive<f64>, what: &str) -> Result<f64, String> {
     let found = text.parse().ok().filter(|number| range.contains(number));
     found.ok_or_else(|| format!("{what} are {} to {}", range.start(), range.end()))

@@ -43,6 +43,9 @@ pub(super) fn warn(found: &[Diagnostic], sources: &Sources) {
 /// The plain WebGPU host for terrain.
 pub(super) static TERRAIN_HOST: LazyLock<Host> = LazyLock::new(hosts::terrain);
 
+/// The host that shows what the search for relief did.
+pub(super) static SEARCHED_HOST: LazyLock<Host> = LazyLock::new(hosts::searched);
+
 /// The host that shows one material.
 pub(super) static PREVIEW_HOST: LazyLock<Host> = LazyLock::new(hosts::preview);
 

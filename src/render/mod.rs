@@ -24,6 +24,7 @@ pub mod material;
 mod preview;
 mod progress;
 mod scene;
+mod search;
 
 pub use camera::{Camera, NEAR, View, sun_direction};
 pub use error::{RenderError, Result};
@@ -34,3 +35,4 @@ pub use lights::{Lights, luminance};
 pub use preview::{Preview, render_preview};
 pub use progress::{Phase, Progress};
 pub use scene::{RenderScene, Rendered, render_scene, render_with_depth};
+pub use search::{Searched, search_scene, searched_beside};

@@ -101,7 +101,8 @@ pub(super) fn validate_size(image: [u32; 2], supersampling: u32) -> Result<()> {
     Ok(())
 }
 
-fn draw(gpu: &Gpu, scene: &RenderScene<'_>, progress: Progress) -> Result<Targets> {
+/// Draws a scene's radiance and depth.
+pub(super) fn draw(gpu: &Gpu, scene: &RenderScene<'_>, progress: Progress) -> Result<Targets> {
     scene.validate()?;
     let view = scene.camera.view(scene.image[0], scene.image[1])?;
     let [width, height] = scene.image.map(|side| side * scene.supersampling);

@@ -15,11 +15,13 @@ pub const MATERIAL_GROUP: u32 = 1;
 /// `HostFrame` with every frame field.
 pub fn host(library: &Library, program: &Program, patch: &Specialization, host: &str) -> Shader {
     let body = body(library, program, patch);
+    let mut joint = Shader::default();
+    glue(&mut joint, program, patch);
     let mut shader = header(program, patch);
-    declarations(&mut shader, library, &library.closure(&format!("{}{host}", body.text)));
+    declarations(&mut shader, library, &library.closure(&format!("{}{}{host}", body.text, joint.text)));
     shader.append(body);
     shader.line("");
-    glue(&mut shader, program, patch);
+    shader.append(joint);
     shader.line("");
     shader.text.push_str(host);
     shader

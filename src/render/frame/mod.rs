@@ -13,7 +13,7 @@ mod uniform;
 pub(super) use displaced::Displaced;
 pub(super) use full_screen::FullScreen;
 pub(super) use group::{Bound, Tables};
-pub(super) use readback::read_depth;
+pub(super) use readback::{read_depth, read_halves};
 pub(super) use resolve::resolve;
 pub(super) use targets::Targets;
 pub(super) use terrain::{TerrainDraw, TerrainPipeline};

@@ -3,11 +3,12 @@
 use crate::render::error::Result;
 use crate::render::gpu::Gpu;
 
-/// Rows of a texture whose texels have 4 bytes, without padding.
+/// Rows of a texture without padding.
 pub(crate) fn read_bytes(gpu: &Gpu, texture: &wgpu::Texture) -> Result<Vec<u8>> {
     let size = texture.size();
+    let texel = texture.format().block_copy_size(None).unwrap_or(4);
     // Rows of a copy are a multiple of 256 bytes apart.
-    let stride = (size.width * 4).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
+    let stride = (size.width * texel).next_multiple_of(wgpu::COPY_BYTES_PER_ROW_ALIGNMENT);
     let buffer = gpu.checked("read-back buffer", || {
         gpu.device.create_buffer(&wgpu::BufferDescriptor {
             label: Some("read back"),
@@ -27,7 +28,13 @@ pub(crate) fn read_bytes(gpu: &Gpu, texture: &wgpu::Texture) -> Result<Vec<u8>> 
     );
     gpu.queue.submit([encoder.finish()]);
     let mapped = gpu.read(&buffer)?;
-    Ok(mapped.chunks_exact(stride as usize).flat_map(|row| &row[..size.width as usize * 4]).copied().collect())
+    Ok(mapped.chunks_exact(stride as usize).flat_map(|row| &row[..(size.width * texel) as usize]).copied().collect())
+}
+
+/// The numbers of every texel of 16-bit floats, row by row.
+pub(crate) fn read_halves(gpu: &Gpu, texture: &wgpu::Texture) -> Result<Vec<f32>> {
+    let bytes = read_bytes(gpu, texture)?;
+    Ok(bytes.chunks_exact(2).map(|b| half::f16::from_le_bytes([b[0], b[1]]).to_f32()).collect())
 }
 
 /// The depth of every sample, row by row.

@@ -36,9 +36,19 @@ impl Targets {
             })
         };
         gpu.checked("picture's memory", || Self {
-            radiance: texture("radiance", RADIANCE, wgpu::TextureUsages::TEXTURE_BINDING),
+            radiance: texture(
+                "radiance",
+                RADIANCE,
+                wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_SRC,
+            ),
             depth: texture("depth", DEPTH, wgpu::TextureUsages::COPY_SRC),
-            displaced: displaced.then(|| texture("displaced depth", DISPLACED, wgpu::TextureUsages::TEXTURE_BINDING)),
+            displaced: displaced.then(|| {
+                texture(
+                    "displaced depth",
+                    DISPLACED,
+                    wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_SRC,
+                )
+            }),
         })
     }
 

@@ -1,5 +1,6 @@
 //! Defects of the published methods: each shown where it is smallest, beside a method without it.
 
+mod light;
 mod linear;
 mod parallax_offset;
 mod quadtree_displacement;

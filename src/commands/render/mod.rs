@@ -1,13 +1,18 @@
 //! `terrane render`: a picture of a scene, or of one surface.
 
+mod scene;
+
 use std::path::PathBuf;
 
-use terrane::render::{Gpu, Image, Preview, Progress, Selection, render_preview, render_scene};
-use terrane::scene::{self, Quality};
+use terrane::render::{Gpu, Image, Preview, Progress, Selection, render_preview};
+use terrane::scene::{files, height_field, material};
 use terrane::{content, file};
 use terrane_codegen::compile::Compiled;
+use terrane_codegen::graph::model::{ReliefMethod, Terrain};
 use terrane_codegen::graph::{FileRole, Project};
+use terrane_shaderlib::relief::Method;
 
+use self::scene::{Drawing, compile};
 use super::{Failure, project};
 
 /// Draw a scene, or one surface on a plane and a sphere; no window is opened
@@ -16,7 +21,12 @@ use super::{Failure, project};
   terrane render graphs/scenes/alpine.ron -o alpine.png
   terrane render graphs/scenes/alpine.ron -o small.png --size 320x180 --samples 1
   terrane render graphs/surfaces/granite.ron -o granite.png --extent 12
-  terrane render --adapters")]
+  terrane render graphs/scenes/yard.ron -o yard.png --search --relief \"linear_secant(32)\"
+  terrane render --adapters
+
+With --search the picture is followed by two of one sample a pixel: nodes and samples read, from black (none) over red to white
+(the most, which stdout says), and texels between what was found and what the exact method finds, by their logarithm, from black
+(0.001 and less) over blue to white (100); what was given up is green.")]
 pub(crate) struct Render {
     /// A scene or a surface
     #[arg(value_name = "GRAPH", required_unless_present = "adapters")]
@@ -33,6 +43,12 @@ pub(crate) struct Render {
     /// Metres on a side of the plane that shows a surface
     #[arg(long, value_name = "METRES", default_value_t = 8.0)]
     extent: f64,
+    /// Trace relief by this method, named as `terrane measure` names it, instead of the terrain's own
+    #[arg(long, value_name = "METHOD", value_parser = super::measure::method)]
+    relief: Option<Method>,
+    /// Show beside the picture of a scene what the search for relief read, and how far it is from the exact one
+    #[arg(long)]
+    search: bool,
     /// The device to draw on: its number, or a part of its name
     #[arg(long, value_name = "NAME")]
     adapter: Option<String>,
@@ -65,19 +81,29 @@ impl Render {
     }
 
     fn scene(&self, project: &mut Project, path: &str) -> Result<Image, Failure> {
-        let (graphs, scene, warnings) =
+        let (graphs, mut scene, warnings) =
             project.scene(path).map_err(|found| project::findings(&found, &project.sources))?;
         project::warn(&warnings, &project.sources);
-        let compiled = project::compiler(project, &project::TERRAIN_HOST)
-            .terrain(&graphs, &scene.terrain)
-            .map_err(|found| project::findings(&found, &project.sources))?;
+        self.override_relief(&mut scene.terrain)?;
+        let compiled = compile(project, &graphs, &scene, &project::TERRAIN_HOST)?;
         let gpu = self.prepare(project, &compiled)?;
-        let material = scene::material(&compiled, project.root());
-        let field = scene::height_field(&scene.terrain, project.root())?;
+        let field = height_field(&scene.terrain, project.root())?;
         let image = self.size.unwrap_or([scene.image.0, scene.image.1]);
-        let quality = Quality { image, supersampling: self.samples, tolerance: 1.0 };
-        let scene = scene::render_scene(&scene, &compiled, &material, &field, quality);
-        Ok(render_scene(&gpu, &scene, Progress::Stderr)?)
+        let (graphs, scene, samples) = (&graphs, &scene, self.samples);
+        let drawing = Drawing { gpu: &gpu, project, graphs, scene, field: &field, image, samples };
+        let picture = drawing.picture(&compiled)?;
+        if self.search { drawing.beside(&picture) } else { Ok(picture) }
+    }
+
+    /// The method of `--relief` in place of the terrain's own.
+    fn override_relief(&self, terrain: &mut Terrain) -> Result<(), Failure> {
+        let wanted = self.relief.map(|method| ("--relief", Some(method))).or(self.search.then_some(("--search", None)));
+        let Some((option, method)) = wanted else { return Ok(()) };
+        let Some(relief) = &mut terrain.relief else {
+            return Err(Failure::Usage(format!("{option}: {} traces no relief", terrain.path)));
+        };
+        relief.method = method.map_or(relief.method, ReliefMethod::Fixed);
+        Ok(())
     }
 
     fn surface(&self, project: &mut Project, path: &str) -> Result<Image, Failure> {
@@ -88,10 +114,10 @@ impl Render {
             .surface(&graphs, surface)
             .map_err(|found| project::findings(&found, &project.sources))?;
         let gpu = self.prepare(project, &compiled)?;
-        let material = scene::material(&compiled, project.root());
+        let bound = material(&compiled, project.root());
         let preview = Preview {
             shader: &compiled.host.text,
-            material: &material,
+            material: &bound,
             size: self.extent,
             image: self.size.unwrap_or([1280, 720]),
             supersampling: self.samples,
@@ -103,7 +129,7 @@ impl Render {
     fn prepare(&self, project: &Project, compiled: &Compiled) -> Result<Gpu, Failure> {
         file::check(&self.output)?;
         let gpu = open(self.adapter.as_deref())?;
-        content::make(project, &scene::files(compiled))?;
+        content::make(project, &files(compiled))?;
         Ok(gpu)
     }
 }
