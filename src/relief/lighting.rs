@@ -147,7 +147,7 @@ pub const LIFT: f64 = 2.0;
 /// From what is stored to what the library asks for, and back.
 const SEEN: &str = "
 fn relief_point(ray: ReliefRay) -> ReliefRay {
-    return shadow_ray(relief_heights, relief_uniform, ray.cell, ray.origin.xy, ray.direction, LIFT, REACH);
+    return shadow_ray(relief_heights, relief_field, ray.cell, ray.origin.xy, ray.direction, LIFT, REACH);
 }
 
 fn relief_seen(seen: ShadowSeen) -> ReliefHit {

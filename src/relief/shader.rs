@@ -8,7 +8,7 @@ use crate::render::Gpu;
 
 const HOST: &str = "
 struct ReliefStored { cell: vec2i, origin: vec3f, direction: vec3f, end: f32 }
-@group(0) @binding(0) var<uniform> relief_uniform: ReliefField;
+@group(0) @binding(0) var<uniform> relief_field: ReliefField;
 @group(0) @binding(1) var<storage, read> relief_rays: array<ReliefStored>;
 @group(0) @binding(2) var<storage, read_write> relief_hits: array<ReliefHit>;
 @group(0) @binding(3) var relief_heights: texture_2d_array<u32>;
@@ -20,68 +20,58 @@ fn relief_main(@builtin(global_invocation_id) id: vec3u, @builtin(num_workgroups
     if index < arrayLength(&relief_rays) {
         let stored = relief_rays[index];
         let ray = ReliefRay(stored.cell, stored.origin, stored.direction, stored.end);
-        relief_hits[index] = relief_found(relief_uniform, ray);
+        relief_hits[index] = CALL;
     }
-}
-";
-
-const WHOLE: &str = "
-fn relief_found(relief_field: ReliefField, ray: ReliefRay) -> ReliefHit {
-    return CALL;
 }
 ";
 
 const TILED: &str = "
-fn relief_found(relief_field: ReliefField, whole: ReliefRay) -> ReliefHit {
-    var part = tiled_first(relief_field, whole);
+fn relief_found(tiles: ReliefField, whole: ReliefRay) -> ReliefHit {
+    var part = tiled_first(tiles, whole);
     var hit: ReliefHit;
     var steps = 0u;
     var leaves = 0u;
     loop {
-        hit = relief_over_tile(relief_field, part.ray);
+        hit = relief_over_tile(tiles, part.ray);
         steps += hit.steps;
         leaves += hit.leaves;
         let is_last = part.start + part.ray.end >= whole.end;
-        if hit.state != RELIEF_MISS || is_last || steps >= relief_field.limit {
+        if hit.state != RELIEF_MISS || is_last || steps >= tiles.limit {
             hit.state = select(hit.state, RELIEF_UNRESOLVED, hit.state == RELIEF_MISS && !is_last);
             break;
         }
-        part = tiled_next(relief_field, whole, part);
+        part = tiled_next(tiles, whole, part);
     }
     return ReliefHit(part.start + hit.t, hit.state, hit.cell + part.corner, steps, leaves);
 }
 
-fn relief_over_tile(relief_field: ReliefField, ray: ReliefRay) -> ReliefHit {
+fn relief_over_tile(tiles: ReliefField, ray: ReliefRay) -> ReliefHit {
     return CALL;
 }
 ";
 
-/// WGSL that traces rays from a buffer by a method: an entry point, and what it needs of the library. What it calls for each
-/// ray is `relief_found(field, ray)`, with the textures `relief_heights` and `relief_bounds`.
+/// WGSL that traces rays from a buffer by a method: an entry point, and what it needs of the library. It is called in the
+/// entry point itself: Mesa 22.3's llvmpipe mistakes lanes that leave loops early where it is not.
 #[must_use]
 pub fn shader(method: Method) -> String {
-    with_call(&call(method), "")
+    with_call(&call(method, "relief_field"), "")
 }
 
 /// The same over a map that is placed to be traced tile by tile.
 #[must_use]
 pub fn tiled_shader(method: Method) -> String {
-    around(&TILED.replace("CALL", &call(method)))
+    with_call("relief_found(relief_field, ray)", &TILED.replace("CALL", &call(method, "tiles")))
 }
 
-fn call(method: Method) -> String {
-    method.call("relief_heights", "relief_bounds", "relief_field", "ray")
+fn call(method: Method, field: &str) -> String {
+    method.call("relief_heights", "relief_bounds", field, "ray")
 }
 
 /// WGSL that calls what makes a `ReliefHit` of `ray`, with what `more` declares and what both need of the library.
 pub(super) fn with_call(call: &str, more: &str) -> String {
-    around(&(WHOLE.replace("CALL", call) + more))
-}
-
-fn around(found: &str) -> String {
     let library =
         Library::load(&mut Sources::default(), &[]).expect("the shipped library is right, which its tests show");
-    let host = format!("{HOST}{found}");
+    let host = HOST.replace("CALL", call) + more;
     let items = library.closure(&host);
     let declarations = items.iter().map(|item| library.slice(*item).to_owned() + "\n");
     declarations.chain([host.clone()]).collect()

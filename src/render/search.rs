@@ -31,13 +31,17 @@ pub fn search_scene(gpu: &Gpu, scene: &RenderScene<'_>, progress: Progress) -> R
     let targets = draw(gpu, scene, progress)?;
     let search = read_halves(gpu, &targets.radiance)?;
     let distance = targets.displaced.map_or(Ok(Vec::new()), |displaced| read_depth(gpu, &displaced))?;
-    let part = |channel: usize| search.chunks_exact(4).map(move |texel| texel[channel]);
+    // Where nothing is displaced there is the sky, or nothing.
+    let part = |channel: usize, none: f32| {
+        let texels = search.chunks_exact(4).zip(&distance);
+        texels.map(move |(texel, distance)| if *distance > 0.0 { texel[channel] } else { none })
+    };
     Ok(Searched {
         size: scene.image,
-        reads: part(0).collect(),
-        done: part(1).map(|done| done > 0.5).collect(),
-        texels: part(2).map(f32::exp2).collect(),
-        distance: distance.into_iter().map(|distance| (distance > 0.0).then_some(distance - 1.0)).collect(),
+        reads: part(0, 0.0).collect(),
+        done: part(1, 1.0).map(|done| done > 0.5).collect(),
+        texels: part(2, 0.0).map(f32::exp2).collect(),
+        distance: distance.iter().map(|distance| (*distance > 0.0).then_some(distance - 1.0)).collect(),
     })
 }
 

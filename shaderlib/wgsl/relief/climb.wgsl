@@ -35,7 +35,8 @@ fn climb_on(bounds: texture_2d_array<u32>, field: ReliefField, frame: WalkFrame,
     state.stands = false;
     state.t = start.leave;
     state.node = walk_next(frame, field, start.node, start.node.sides * frame.inverse + frame.before);
-    while state.t < frame.end && state.steps < field.limit {
+    // One way out, at the top: see `robust_cone`.
+    while !state.stands && state.t < frame.end && state.steps < field.limit {
         let node = state.node;
         let cell = (frame.base + vec2i(node.sides) - 1i) ^ frame.mirror;
         state.bound = relief_bound(bounds, field, cell, node.level);
@@ -45,15 +46,17 @@ fn climb_on(bounds: texture_2d_array<u32>, field: ReliefField, frame: WalkFrame,
         let lowest = frame.origin.z + frame.direction.z * select(state.t, state.leave, falls);
         let clear = lowest > state.bound + RELIEF_PAD;
         state.stands = !clear && (node.level == 0i || node.size <= coarse * state.t);
-        if state.stands {
-            break;
-        }
         let down = walk_child(frame, node, state.t);
         let on = walk_next(frame, field, node, reach);
-        state.node = WalkNode(
+        let moved = WalkNode(
             select(down.sides, on.sides, clear),
             select(down.size, on.size, clear),
             select(down.level, on.level, clear),
+        );
+        state.node = WalkNode(
+            select(moved.sides, node.sides, state.stands),
+            select(moved.size, node.size, state.stands),
+            select(moved.level, node.level, state.stands),
         );
         state.t = select(state.t, state.leave, clear);
     }

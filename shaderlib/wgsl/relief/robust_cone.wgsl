@@ -42,9 +42,7 @@ fn robust_cone_trace(
     var leaves = 0u;
     loop {
         state = robust_cone_to_cell(bounds, field, frame, state);
-        // Only in the first cell can it stand at the end. That is asked here again because of Mesa 22.3's llvmpipe: of a lane that
-        // left the inner loop past its end, before others, it may say that it stands.
-        if !state.stands || (state.t >= frame.end && state.steps > 1u) {
+        if !state.stands {
             break;
         }
         leaves++;
@@ -77,7 +75,10 @@ fn robust_cone_to_cell(
     let falls = frame.direction.z < 0.0;
     let across = max(frame.direction.x, frame.direction.y);
     var state = start;
-    loop {
+    // One way out, at the top: of lanes that leave from the middle, before others, Mesa 22.3's llvmpipe keeps a part of what they
+    // had before.
+    var goes_on = true;
+    while goes_on {
         let cell = (frame.base + vec2i(state.sides) - 1i) ^ frame.mirror;
         let cone = textureLoad(bounds, min(cell & field.wrap, field.last), field.layer, field.mip).rg;
         let bound = f32(cone.x) + RELIEF_PAD;
@@ -96,9 +97,7 @@ fn robust_cone_to_cell(
         let at = floor(frame.origin.xy + frame.direction.xy * far) + 1.0;
         state.sides = select(max(robust_cone_next(state.sides, reach), at), state.sides, state.stands);
         state.t = select(far, state.t, state.stands);
-        if state.stands || state.t >= frame.end || state.steps >= field.limit {
-            break;
-        }
+        goes_on = !state.stands && state.t < frame.end && state.steps < field.limit;
     }
     return state;
 }

@@ -40,10 +40,10 @@ fn shadow_under(ray: ReliefRay, lid: f32) -> ReliefRay {
 
 /// Where a ray ends on a map that ends: a little before the border, so that rounding does not lead beyond it.
 fn shadow_end(field: ReliefField, ray: ReliefRay) -> f32 {
-    let start = vec2f(ray.cell) + ray.origin.xy;
-    let far = select(vec2f(0.0), vec2f(field.last), ray.direction.xy > vec2f(0.0));
+    // Whole texels by themselves: far from the first, f32 has no digits left for a part.
+    let border = select(-ray.cell, field.last - ray.cell, ray.direction.xy > vec2f(0.0));
     let moves = abs(ray.direction.xy) > vec2f(RELIEF_LEAST);
-    let way = (far - start) / select(vec2f(1.0), ray.direction.xy, moves);
+    let way = (vec2f(border) - ray.origin.xy) / select(vec2f(1.0), ray.direction.xy, moves);
     let ends = select(vec2f(ray.end), clamp(way * 0.999999, vec2f(0.0), vec2f(ray.end)), moves & (field.wrap < vec2i(0)));
     return min(ends.x, ends.y);
 }
