@@ -16,8 +16,16 @@ fn equal(built: &Built<'_>, heights: &Heights, what: &str) {
     let placed = Placed::new(heights, Bounds::CellMax, 1).expect("whole steps");
     let (mips, bounds) = built.read().expect("the device answers");
     let (size, border) = (heights.size(), heights.border());
-    assert!(Words::R16(mips) == placed.heights.words, "heights of {size:?} {border:?} {what}");
-    assert!(Words::R16(vec![bounds]) == placed.bounds.words, "bounds of {size:?} {border:?} {what}");
+    let Words::R16(host) = &placed.heights.words;
+    assert!(mips == *host, "heights of {size:?} {border:?} {what}: {:?}", differences(&mips.concat(), &host.concat()));
+    let Words::R16(host) = &placed.bounds.words;
+    assert!(bounds == host[0], "bounds of {size:?} {border:?} {what}: {:?}", differences(&bounds, &host[0]));
+}
+
+/// The first texels in which device and host differ: index, device, host.
+fn differences(device: &[u16], host: &[u16]) -> Vec<(usize, u16, u16)> {
+    let pairs = device.iter().zip(host).enumerate().map(|(at, (device, host))| (at, *device, *host));
+    pairs.filter(|(_, device, host)| device != host).take(8).collect()
 }
 
 /// A long map, and one that is filled up on one axis alone, besides the adversary's.
