@@ -1,6 +1,6 @@
 //! Every method over every view of a map.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use terrane_shaderlib::heightfield::Hit;
 use terrane_shaderlib::relief::{Bounds, Method, Placed, Unplaceable};
@@ -80,14 +80,8 @@ pub fn measure(gpu: &Gpu, subject: &Subject, plan: &Plan, progress: Progress) ->
 
 /// The map with the bounds of every method.
 fn placed(subject: &Subject, methods: &[Method], limit: u32) -> Result<BTreeMap<Bounds, Placed>, Unplaceable> {
-    let mut placed = BTreeMap::new();
-    for method in methods {
-        let bounds = method.bounds();
-        if !placed.contains_key(&bounds) {
-            placed.insert(bounds, Placed::new(&subject.heights, bounds, limit)?);
-        }
-    }
-    Ok(placed)
+    let bounds: BTreeSet<Bounds> = methods.iter().map(|method| method.bounds()).collect();
+    bounds.into_iter().map(|one| Ok((one, Placed::new(&subject.heights, one, limit)?))).collect()
 }
 
 /// One for each method; those with the same bounds share what is uploaded.
