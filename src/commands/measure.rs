@@ -96,11 +96,10 @@ impl Measure {
     fn plan(&self) -> Plan {
         let linear = [32, 128, 512].map(|steps| Method::Linear(steps, 0));
         let binary = [Method::Linear(32, 6), Method::Linear(128, 6)];
-        let methods = [Method::MaximumMipmaps, Method::Walk, Method::RobustCone]
-            .into_iter()
-            .chain(linear)
-            .chain(binary)
-            .collect();
+        let steps = [Method::ConeStep(0), Method::ConeStep(64)];
+        let relaxed = [Method::RelaxedCone(15, 8), Method::RelaxedCone(64, 8)];
+        let exact = [Method::MaximumMipmaps, Method::Walk, Method::RobustCone];
+        let methods = exact.into_iter().chain(linear).chain(binary).chain(steps).chain(relaxed).collect();
         Plan {
             methods,
             elevations: self.elevations.clone(),
