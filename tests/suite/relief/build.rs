@@ -16,9 +16,9 @@ fn equal(built: &Built<'_>, heights: &Heights, what: &str) {
     let placed = Placed::new(heights, Bounds::CellMax, 1).expect("whole steps");
     let (mips, bounds) = built.read().expect("the device answers");
     let (size, border) = (heights.size(), heights.border());
-    let Words::R16(host) = &placed.heights.words;
+    let Words::R16(host) = &placed.heights.words else { panic!("heights are 16 bits") };
     assert!(mips == *host, "heights of {size:?} {border:?} {what}: {:?}", differences(&mips.concat(), &host.concat()));
-    let Words::R16(host) = &placed.bounds.words;
+    let Words::R16(host) = &placed.bounds.words else { panic!("bounds of cells are 16 bits") };
     assert!(bounds == host[0], "bounds of {size:?} {border:?} {what}: {:?}", differences(&bounds, &host[0]));
 }
 
