@@ -96,7 +96,11 @@ impl Measure {
     fn plan(&self) -> Plan {
         let linear = [32, 128, 512].map(|steps| Method::Linear(steps, 0));
         let binary = [Method::Linear(32, 6), Method::Linear(128, 6)];
-        let methods = [Method::MaximumMipmaps, Method::Walk].into_iter().chain(linear).chain(binary).collect();
+        let methods = [Method::MaximumMipmaps, Method::Walk, Method::Sprint, Method::Wide]
+            .into_iter()
+            .chain(linear)
+            .chain(binary)
+            .collect();
         Plan {
             methods,
             elevations: self.elevations.clone(),

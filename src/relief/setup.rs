@@ -92,7 +92,8 @@ impl Setup {
         let inside = [0, 1].map(|axis| (start[axis] - cell[axis]).clamp(0.0, 1.0));
         let end = (last - first) / scale;
         let device = DeviceRay {
-            cell: cell.map(|cell| cell as i32),
+            // Modulo 2^32, of which the sides of a map that wraps are divisors.
+            cell: cell.map(|cell| cell as i64 as i32),
             origin: [inside[0] as f32, inside[1] as f32, start[2] as f32],
             direction: ray.direction.map(|along| (along * scale) as f32),
             end: end.clamp(0.0, LONGEST) as f32,

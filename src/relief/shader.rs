@@ -11,8 +11,8 @@ struct ReliefStored { cell: vec2i, origin: vec3f, direction: vec3f, end: f32 }
 @group(0) @binding(0) var<uniform> relief_field: ReliefField;
 @group(0) @binding(1) var<storage, read> relief_rays: array<ReliefStored>;
 @group(0) @binding(2) var<storage, read_write> relief_hits: array<ReliefHit>;
-@group(0) @binding(3) var relief_heights: texture_2d_array<u32>;
-@group(0) @binding(4) var relief_bounds: texture_2d_array<u32>;
+@group(0) @binding(3) var relief_heights: HEIGHTS;
+@group(0) @binding(4) var relief_bounds: BOUNDS;
 
 @compute @workgroup_size(64)
 fn relief_main(@builtin(global_invocation_id) id: vec3u, @builtin(num_workgroups) groups: vec3u) {
@@ -30,15 +30,17 @@ fn relief_main(@builtin(global_invocation_id) id: vec3u, @builtin(num_workgroups
 pub fn shader(method: Method) -> String {
     let library =
         Library::load(&mut Sources::default(), &[]).expect("the shipped library is right, which its tests show");
-    let host = HOST.replace("CALL", &method.call("relief_heights", "relief_bounds", "relief_field", "ray"));
+    let [heights, bounds] = method.textures();
+    let call = method.call("relief_heights", "relief_bounds", "relief_field", "ray");
+    let host = HOST.replace("CALL", &call).replace("HEIGHTS", heights).replace("BOUNDS", bounds);
     let items = library.closure(&host);
     let declarations = items.iter().map(|item| library.slice(*item).to_owned() + "\n");
     declarations.chain([host.clone()]).collect()
 }
 
-pub(super) fn pipeline(gpu: &Gpu, text: &str) -> wgpu::ComputePipeline {
-    let module = module(gpu, text);
-    let entries: Vec<_> = (0..5).map(entry).collect();
+pub(super) fn pipeline(gpu: &Gpu, method: Method) -> wgpu::ComputePipeline {
+    let module = module(gpu, &shader(method));
+    let entries: Vec<_> = (0..5).map(|binding| entry(method, binding)).collect();
     let group = gpu
         .device
         .create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some("relief"), entries: &entries });
@@ -68,12 +70,19 @@ fn module(gpu: &Gpu, text: &str) -> wgpu::ShaderModule {
     unsafe { gpu.device.create_shader_module_trusted(descriptor, wgpu::ShaderRuntimeChecks::unchecked()) }
 }
 
-fn entry(binding: u32) -> wgpu::BindGroupLayoutEntry {
+fn entry(method: Method, binding: u32) -> wgpu::BindGroupLayoutEntry {
     let buffer = |ty| wgpu::BindingType::Buffer { ty, has_dynamic_offset: false, min_binding_size: None };
-    let ty = match binding {
-        0 => buffer(wgpu::BufferBindingType::Uniform),
-        1 => buffer(wgpu::BufferBindingType::Storage { read_only: true }),
-        2 => buffer(wgpu::BufferBindingType::Storage { read_only: false }),
+    let storage = |format| wgpu::BindingType::StorageTexture {
+        access: wgpu::StorageTextureAccess::ReadOnly,
+        format,
+        view_dimension: wgpu::TextureViewDimension::D2Array,
+    };
+    let ty = match (binding, method) {
+        (0, _) => buffer(wgpu::BufferBindingType::Uniform),
+        (1, _) => buffer(wgpu::BufferBindingType::Storage { read_only: true }),
+        (2, _) => buffer(wgpu::BufferBindingType::Storage { read_only: false }),
+        (3, Method::Sprint) => storage(wgpu::TextureFormat::Rg32Uint),
+        (4, Method::Sprint) => storage(wgpu::TextureFormat::R32Uint),
         _ => wgpu::BindingType::Texture {
             sample_type: wgpu::TextureSampleType::Uint,
             view_dimension: wgpu::TextureViewDimension::D2Array,

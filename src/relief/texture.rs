@@ -10,6 +10,13 @@ pub(super) fn texture(gpu: &Gpu, plane: &Plane) -> wgpu::TextureView {
     let [width, height] = plane.size;
     let (format, mips, bytes) = match &plane.words {
         Words::R16(mips) => (wgpu::TextureFormat::R16Uint, mips.len(), bytemuck::cast_slice(&mips.concat()).to_vec()),
+        Words::R32(words) => (wgpu::TextureFormat::R32Uint, 1, bytemuck::cast_slice(words).to_vec()),
+        Words::Rg32(words) => (wgpu::TextureFormat::Rg32Uint, 1, bytemuck::cast_slice(words).to_vec()),
+        Words::Rgba32(words) => (wgpu::TextureFormat::Rgba32Uint, 1, bytemuck::cast_slice(words).to_vec()),
+    };
+    let usage = match &plane.words {
+        Words::R16(_) | Words::Rgba32(_) => wgpu::TextureUsages::TEXTURE_BINDING,
+        Words::R32(_) | Words::Rg32(_) => wgpu::TextureUsages::STORAGE_BINDING,
     };
     let descriptor = wgpu::TextureDescriptor {
         label: Some("relief"),
@@ -18,7 +25,7 @@ pub(super) fn texture(gpu: &Gpu, plane: &Plane) -> wgpu::TextureView {
         sample_count: 1,
         dimension: wgpu::TextureDimension::D2,
         format,
-        usage: wgpu::TextureUsages::TEXTURE_BINDING,
+        usage,
         view_formats: &[],
     };
     let texture = gpu.device.create_texture_with_data(&gpu.queue, &descriptor, TextureDataOrder::LayerMajor, &bytes);

@@ -9,7 +9,7 @@ use wgpu::util::{BufferInitDescriptor, DeviceExt as _};
 
 use super::clock::Clock;
 use super::setup::{DeviceRay, Segment, Setup};
-use super::shader::{pipeline, shader};
+use super::shader::pipeline;
 use super::texture::texture;
 use crate::render::{Gpu, RenderError};
 
@@ -65,7 +65,7 @@ impl<'a> Tracer<'a> {
     /// # Errors
     /// [`RenderError::Refused`] where the device takes no part of it.
     pub fn new(gpu: &'a Gpu, heights: &'a Heights, placed: &Placed, method: Method) -> Result<Self, RenderError> {
-        let pipeline = gpu.checked("relief's pipeline", || pipeline(gpu, &shader(method)))?;
+        let pipeline = gpu.checked("relief's pipeline", || pipeline(gpu, method))?;
         gpu.checked("relief's data", || Self {
             gpu,
             heights,

@@ -7,7 +7,9 @@ mod atlas;
 mod field;
 mod method;
 mod mips;
+mod patches;
 mod placed;
+mod strip;
 
 pub use field::Field;
 pub use method::Method;

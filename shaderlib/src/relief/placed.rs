@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-use super::{Field, atlas, mips};
-use crate::heightfield::pyramid::{Bound, Levels, Pyramid};
+use super::{Field, atlas, mips, patches, strip};
+use crate::heightfield::pyramid::{Bound, CHILDREN, Levels, Pyramid, Wide};
 use crate::heightfield::{Border, Heights, Texels};
 
 /// What a method knows of the empty space over a map.
@@ -13,6 +13,10 @@ pub enum Bounds {
     None,
     /// A quadtree over cells: the largest height of the surface.
     CellMax,
+    /// The same in 32-bit words, and the heights as patches: four to a texel.
+    Patches,
+    /// Sixteen children to a node.
+    Wide,
 }
 
 /// Texels of an image.
@@ -20,6 +24,12 @@ pub enum Bounds {
 pub enum Words {
     /// `r16uint`, mip by mip.
     R16(Vec<Vec<u16>>),
+    /// `r32uint`, for a storage texture.
+    R32(Vec<u32>),
+    /// `rg32uint`, for a storage texture.
+    Rg32(Vec<[u32; 2]>),
+    /// `rgba32uint`.
+    Rgba32(Vec<[u32; 4]>),
 }
 
 /// An image for a shader's `texture_2d_array<u32>`.
@@ -102,13 +112,34 @@ impl Placed {
                 limit,
                 mip: mip as i32,
                 layer: 0,
+                patches: patches::corner(mips[0].size, mip as u32).map(|at| at as i32),
+                unit: 0,
             }
         });
-        let fields = fields.collect();
-        let bounds = bounds_of(&mips, bounds);
-        let heights = Plane { size: mips[0].size, words: Words::R16(mips.into_iter().map(|mip| mip.texels).collect()) };
-        Ok(Self { heights, bounds, fields, range })
+        let mut fields: Vec<Field> = fields.collect();
+        let image = match bounds {
+            Bounds::None => Plane { size: [1, 1], words: Words::R16(vec![vec![0]]) },
+            Bounds::CellMax => quadtrees(&mips, |image| Words::R16(vec![image])),
+            Bounds::Patches => quadtrees(&mips, |image| Words::R32(image.into_iter().map(u32::from).collect())),
+            Bounds::Wide => wide(&mips, &mut fields),
+        };
+        let heights = if bounds == Bounds::Patches { all_patches(&mips) } else { texels_of(mips) };
+        Ok(Self { heights, bounds: image, fields, range })
     }
+}
+
+fn texels_of(mips: Vec<Mip>) -> Plane {
+    Plane { size: mips[0].size, words: Words::R16(mips.into_iter().map(|mip| mip.texels).collect()) }
+}
+
+/// Filled up a map wraps, whatever it did: nothing is asked of the patches behind its border.
+fn all_patches(mips: &[Mip]) -> Plane {
+    let size = patches::size(mips[0].size, mips.len() > 1);
+    let mut image = vec![[0; 2]; size[0] as usize * size[1] as usize];
+    for (index, mip) in mips.iter().enumerate() {
+        patches::write(&mut image, size[0], patches::corner(mips[0].size, index as u32), &mip.texels, mip.size);
+    }
+    Plane { size, words: Words::Rg32(image) }
 }
 
 /// The map and its mips; one that ends at its border has none.
@@ -125,10 +156,7 @@ fn mips(texels: Vec<u16>, size: [u32; 2], wraps: bool) -> Vec<Mip> {
     mips
 }
 
-fn bounds_of(mips: &[Mip], bounds: Bounds) -> Plane {
-    if bounds == Bounds::None {
-        return Plane { size: [1, 1], words: Words::R16(vec![vec![0]]) };
-    }
+fn quadtrees(mips: &[Mip], words: impl Fn(Vec<u16>) -> Words) -> Plane {
     let size = atlas::size(mips[0].size);
     let mut image = vec![0; size[0] as usize * size[1] as usize];
     for (index, mip) in mips.iter().enumerate() {
@@ -136,7 +164,35 @@ fn bounds_of(mips: &[Mip], bounds: Bounds) -> Plane {
         let corner = atlas::corner(mips[0].size, index as u32);
         atlas::write(&mut image, size[0], corner, &quadtree(mip)[..=top]);
     }
-    Plane { size, words: Words::R16(vec![image]) }
+    Plane { size, words: words(image) }
+}
+
+/// The strip of all mips, and how their fields read it: `corner` is the first node and log2 of the columns of cells.
+fn wide(mips: &[Mip], fields: &mut [Field]) -> Plane {
+    let pyramids: Vec<Wide> = mips.iter().map(wide_of).collect();
+    let counts: Vec<Vec<usize>> =
+        pyramids.iter().map(|mip| mip.levels.iter().map(|level| level.values.len()).collect()).collect();
+    let firsts = strip::corners(&counts);
+    for ((field, pyramid), (first, mip)) in fields.iter_mut().zip(&pyramids).zip(firsts.iter().zip(mips)) {
+        field.corner = [*first as i32, mip.size[0].max(CHILDREN).ilog2() as i32];
+        field.top = pyramid.levels.len() as i32;
+        field.unit = pyramid.shift as i32;
+    }
+    let image = strip::image(&pyramids, &firsts);
+    let size = [strip::COLUMNS as u32, (image.len() / strip::COLUMNS) as u32];
+    Plane { size, words: Words::Rgba32(image) }
+}
+
+/// The levels whose nodes the map has whole. A map of fewer cells than children is repeated.
+fn wide_of(mip: &Mip) -> Wide {
+    let size = mip.size.map(|side| side.max(CHILDREN));
+    let columns = |y: u32| (0..size[0]).map(move |x| y % mip.size[1] * mip.size[0] + x % mip.size[0]);
+    let texels = (0..size[1]).flat_map(columns).map(|index| mip.texels[index as usize]).collect();
+    let whole = Heights::new(size, Border::Wrap, Texels::U16(texels))
+        .expect("a power of two is in range where no smaller side was beyond it");
+    let mut pyramid = Wide::new(&whole).expect("16-bit heights are steps");
+    pyramid.levels.truncate((size[0].min(size[1]).ilog2() / 2) as usize);
+    pyramid
 }
 
 /// Filled up a map wraps, whatever it did: the nodes behind the border are held against the first column as well, which

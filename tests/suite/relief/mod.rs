@@ -84,6 +84,16 @@ fn the_walk_is_exact() {
 }
 
 #[test]
+fn the_sprint_is_exact() {
+    exact(Method::Sprint);
+}
+
+#[test]
+fn wide_is_exact() {
+    exact(Method::Wide);
+}
+
+#[test]
 fn maximum_mipmaps_are_exact() {
     exact(Method::MaximumMipmaps);
 }
@@ -97,8 +107,9 @@ fn linear_search_is_not_and_the_judge_sees_it() {
 #[test]
 fn tint_accepts_every_method() {
     let Ok(mut tint) = Tint::start().map_err(Skip::report) else { return };
-    let methods = [Method::Walk, Method::MaximumMipmaps, Method::Linear(32, 0), Method::Linear(32, 6)];
-    let modules = methods.map(|method| Module::with_pipelines(method.to_string(), shader(method)));
+    let exact = [Method::Walk, Method::Sprint, Method::Wide, Method::MaximumMipmaps];
+    let methods = exact.into_iter().chain([Method::Linear(32, 0), Method::Linear(32, 6)]);
+    let modules: Vec<_> = methods.map(|method| Module::with_pipelines(method.to_string(), shader(method))).collect();
     for report in tint.validate(&modules) {
         assert!(report.errors().is_empty(), "{}: {}", report.name, report.errors());
         assert!(!report.pipelines.is_empty(), "{}: no pipeline was tried", report.name);
