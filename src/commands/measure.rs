@@ -4,7 +4,7 @@ use std::path::PathBuf;
 
 use terrane::file;
 use terrane::measure::{Plan, Row, Subject, built_in, csv, measure, read, table};
-use terrane::render::Progress;
+use terrane::render::{Gpu, Progress};
 use terrane_shaderlib::heightfield::Border;
 use terrane_shaderlib::relief::{Bounds, Method, Placed};
 
@@ -53,7 +53,7 @@ impl Measure {
     pub(crate) fn run(self) -> Result<(), Failure> {
         self.validate()?;
         let subjects = self.subjects()?;
-        let gpu = super::render::open(self.adapter.as_deref())?;
+        let gpu = super::render::open_as(self.adapter.as_deref(), Gpu::with_largest_textures)?;
         let plan = self.plan();
         let mut rows: Vec<Row> = Vec::new();
         for subject in &subjects {

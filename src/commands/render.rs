@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use terrane::render::{Gpu, Image, Preview, Progress, Selection, render_preview, render_scene};
+use terrane::render::{Gpu, Image, Preview, Progress, RenderError, Selection, render_preview, render_scene};
 use terrane::scene::{self, Quality};
 use terrane::{content, file};
 use terrane_codegen::compile::Compiled;
@@ -117,7 +117,15 @@ fn list() -> Result<(), Failure> {
 
 /// The device that `--adapter` means, whose name goes to stderr.
 pub(super) fn open(adapter: Option<&str>) -> Result<Gpu, Failure> {
-    let gpu = Gpu::new(&adapter.map_or(Selection::Best, Selection::parse))?;
+    open_as(adapter, Gpu::new)
+}
+
+/// The same, opened in another way.
+pub(super) fn open_as(
+    adapter: Option<&str>,
+    way: impl Fn(&Selection) -> Result<Gpu, RenderError>,
+) -> Result<Gpu, Failure> {
+    let gpu = way(&adapter.map_or(Selection::Best, Selection::parse))?;
     eprintln!("device: {}", gpu.name());
     Ok(gpu)
 }

@@ -7,25 +7,32 @@ use terrane_shaderlib::relief::Method;
 use crate::render::Gpu;
 
 const HOST: &str = "
-struct ReliefStored { cell: vec2i, origin: vec3f, direction: vec3f, end: f32 }
 @group(0) @binding(0) var<uniform> relief_field: ReliefField;
-@group(0) @binding(1) var<storage, read> relief_rays: array<ReliefStored>;
-@group(0) @binding(2) var<storage, read_write> relief_hits: array<ReliefHit>;
+@group(0) @binding(1) var relief_rays: texture_storage_2d<rgba32uint, read>;
+@group(0) @binding(2) var<storage, read_write> relief_hits: array<vec4u>;
 @group(0) @binding(3) var relief_heights: HEIGHTS;
 @group(0) @binding(4) var relief_bounds: BOUNDS;
 
 @compute @workgroup_size(64)
 fn relief_main(@builtin(global_invocation_id) id: vec3u, @builtin(num_workgroups) groups: vec3u) {
     let index = id.x + id.y * groups.x * 64u;
-    if index < arrayLength(&relief_rays) {
-        let stored = relief_rays[index];
-        let ray = ReliefRay(stored.cell, stored.origin, stored.direction, stored.end);
-        relief_hits[index] = CALL;
+    if index < arrayLength(&relief_hits) {
+        let at = vec2u(3u * (index % COLUMNSu), index / COLUMNSu);
+        let cell = textureLoad(relief_rays, at);
+        let origin = textureLoad(relief_rays, at + vec2u(1u, 0u));
+        let along = textureLoad(relief_rays, at + vec2u(2u, 0u));
+        let direction = bitcast<vec3f>(along.xyz);
+        let ray = ReliefRay(bitcast<vec2i>(cell.xy), bitcast<vec3f>(origin.xyz), direction, bitcast<f32>(along.w));
+        let hit = CALL;
+        relief_hits[index] = vec4u(bitcast<u32>(hit.t), hit.state, hit.steps, hit.leaves);
     }
 }
 ";
 
-/// WGSL that traces rays from a buffer by a method: an entry point, and what it needs of the library.
+/// Rays in a row of their texture, three texels each.
+pub(super) const COLUMNS: usize = 1024;
+
+/// WGSL that traces rays from a texture by a method: an entry point, and what it needs of the library.
 #[must_use]
 pub fn shader(method: Method) -> String {
     let library =
@@ -33,6 +40,7 @@ pub fn shader(method: Method) -> String {
     let [heights, bounds] = method.textures();
     let call = method.call("relief_heights", "relief_bounds", "relief_field", "ray");
     let host = HOST.replace("CALL", &call).replace("HEIGHTS", heights).replace("BOUNDS", bounds);
+    let host = host.replace("COLUMNS", &COLUMNS.to_string());
     let items = library.closure(&host);
     let declarations = items.iter().map(|item| library.slice(*item).to_owned() + "\n");
     declarations.chain([host.clone()]).collect()
@@ -72,20 +80,18 @@ fn module(gpu: &Gpu, text: &str) -> wgpu::ShaderModule {
 
 fn entry(method: Method, binding: u32) -> wgpu::BindGroupLayoutEntry {
     let buffer = |ty| wgpu::BindingType::Buffer { ty, has_dynamic_offset: false, min_binding_size: None };
-    let storage = |format| wgpu::BindingType::StorageTexture {
-        access: wgpu::StorageTextureAccess::ReadOnly,
-        format,
-        view_dimension: wgpu::TextureViewDimension::D2Array,
-    };
+    let array = wgpu::TextureViewDimension::D2Array;
+    let access = wgpu::StorageTextureAccess::ReadOnly;
+    let storage = |format, view_dimension| wgpu::BindingType::StorageTexture { access, format, view_dimension };
     let ty = match (binding, method) {
         (0, _) => buffer(wgpu::BufferBindingType::Uniform),
-        (1, _) => buffer(wgpu::BufferBindingType::Storage { read_only: true }),
+        (1, _) => storage(wgpu::TextureFormat::Rgba32Uint, wgpu::TextureViewDimension::D2),
         (2, _) => buffer(wgpu::BufferBindingType::Storage { read_only: false }),
-        (3, Method::Sprint) => storage(wgpu::TextureFormat::Rg32Uint),
-        (4, Method::Sprint) => storage(wgpu::TextureFormat::R32Uint),
+        (3, Method::Sprint) => storage(wgpu::TextureFormat::Rg32Uint, array),
+        (4, Method::Sprint) => storage(wgpu::TextureFormat::R32Uint, array),
         _ => wgpu::BindingType::Texture {
             sample_type: wgpu::TextureSampleType::Uint,
-            view_dimension: wgpu::TextureViewDimension::D2Array,
+            view_dimension: array,
             multisampled: false,
         },
     };

@@ -54,6 +54,23 @@ impl Gpu {
     /// [`RenderError::NoAdapter`] where there is none at all, [`RenderError::UnknownAdapter`] where none is meant by the
     /// selection, [`RenderError::Device`] where the driver gives no device.
     pub fn new(selection: &Selection) -> Result<Self> {
+        Self::open(selection, |_| wgpu::Limits::default())
+    }
+
+    /// The same, but for the size of textures and buffers: there the adapter's own limits count. For measuring on maps that
+    /// are larger than what WebGPU promises everywhere.
+    ///
+    /// # Errors
+    /// Those of [`Gpu::new`].
+    pub fn with_largest_textures(selection: &Selection) -> Result<Self> {
+        Self::open(selection, |own| wgpu::Limits {
+            max_texture_dimension_2d: own.max_texture_dimension_2d,
+            max_buffer_size: own.max_buffer_size,
+            ..Default::default()
+        })
+    }
+
+    fn open(selection: &Selection, limits: impl Fn(&wgpu::Limits) -> wgpu::Limits) -> Result<Self> {
         let adapters = adapters();
         let names: Vec<String> = adapters.iter().map(describe).collect();
         if names.is_empty() {
@@ -62,7 +79,8 @@ impl Gpu {
         let index = selection.pick(&names).ok_or_else(|| unknown(selection, &names))?;
         let name = names[index].clone();
         let software = adapters[index].get_info().device_type == wgpu::DeviceType::Cpu;
-        let descriptor = wgpu::DeviceDescriptor { label: Some("terrane"), ..Default::default() };
+        let required_limits = limits(&adapters[index].limits());
+        let descriptor = wgpu::DeviceDescriptor { label: Some("terrane"), required_limits, ..Default::default() };
         let (device, queue) = pollster::block_on(adapters[index].request_device(&descriptor))
             .map_err(|error| RenderError::Device { adapter: name.clone(), reason: error.to_string() })?;
         let failure = Arc::new(Mutex::new(None));

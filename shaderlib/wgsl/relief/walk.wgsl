@@ -109,13 +109,14 @@ fn walk_step(frame: WalkFrame, field: ReliefField, state: WalkState, highest: f3
     let on = select(bound, leave, clear);
     let t = select(state.t, on, on > state.t);
     let next = walk_next(frame, state.cell, last, t, vec2<bool>(clear && along_x, clear && !along_x));
-    let up = walk_parted(next, state.cell, 2i * size) && state.level < field.top;
-    let level = select(max(state.level - 1i, 0i), state.level + select(0i, 1i, up), clear);
-    let stands = !clear && state.level == 0i;
+    // The side of a node is one of its parent's where what lies beyond is the first half of another.
+    let up = (walk_beyond(last, along_x) & size) == 0i && state.level < field.top;
+    let is_cell = state.level == 0i;
+    let level = state.level + select(select(-1i, 0i, is_cell), select(0i, 1i, up), clear);
     let steps = state.steps + 1u;
     // Not after a step down: what lies at the very end is still to be looked at.
-    let rests = stands || steps >= field.limit || (clear && t >= frame.end);
-    return WalkState(next, level, t, steps, stands, rests);
+    let rests = select(is_cell, t >= frame.end, clear) || steps >= field.limit;
+    return WalkState(next, level, t, steps, !clear && is_cell, rests);
 }
 
 /// t of the far sides of a node, by its last cell.
@@ -129,10 +130,9 @@ fn walk_next(frame: WalkFrame, cell: vec2i, last: vec2i, t: f32, crossed: vec2<b
     return max(select(cell, last + 1i, crossed), min(at, last));
 }
 
-/// Whether two cells lie in different nodes of a side.
-fn walk_parted(a: vec2i, b: vec2i, side: i32) -> bool {
-    let unlike = vec2u(a ^ b);
-    return (unlike.x | unlike.y) >= u32(side);
+/// The first column or row beyond a node, by its last cell.
+fn walk_beyond(last: vec2i, along_x: bool) -> i32 {
+    return select(last.y, last.x, along_x) + 1i;
 }
 
 /// t of the hit on the patch of the cell that it stands on, or RELIEF_NEVER and more.
@@ -151,9 +151,10 @@ fn walk_leave(frame: WalkFrame, state: WalkState) -> f32 {
 /// Behind the cell that it stands on.
 fn walk_past(frame: WalkFrame, field: ReliefField, state: WalkState) -> WalkState {
     let reach = walk_reach(frame, state.cell);
+    let along_x = reach.x <= reach.y;
     let leave = walk_leave(frame, state);
-    let next = walk_next(frame, state.cell, state.cell, leave, vec2<bool>(reach.x <= reach.y, reach.x > reach.y));
-    let up = walk_parted(next, state.cell, 2i) && field.top > 0i;
+    let next = walk_next(frame, state.cell, state.cell, leave, vec2<bool>(along_x, !along_x));
+    let up = (walk_beyond(state.cell, along_x) & 1i) == 0i && field.top > 0i;
     return WalkState(next, select(0i, 1i, up), leave, state.steps, false, false);
 }
 

@@ -75,7 +75,7 @@ fn wide_children(field: ReliefField, frame: WalkFrame, node: vec4u, start: WideS
         let on = select(bound, leave, clear);
         state.t = select(state.t, on, on > state.t);
         let next = walk_next(frame, state.cell, last, state.t, vec2<bool>(clear && along_x, clear && !along_x));
-        let left = walk_parted(next, state.cell, 4i << scale);
+        let left = clear && (walk_beyond(last, along_x) & ((4i << scale) - 1i)) == 0i;
         state.cell = next;
         state.meets = !clear;
         state.fresh = left || state.level > 1i;
@@ -88,7 +88,7 @@ fn wide_children(field: ReliefField, frame: WalkFrame, node: vec4u, start: WideS
 
 /// Behind a cell whose patch was not hit: in the same node, or in the parent of the next.
 fn wide_moved(field: ReliefField, state: WideState, past: WalkState) -> WideState {
-    let left = walk_parted(past.cell, state.cell, 4i);
+    let left = any((past.cell & vec2i(-4i)) != (state.cell & vec2i(-4i)));
     let level = select(1i, min(2i, field.top), left);
     return WideState(past.cell, level, past.t, false, left);
 }

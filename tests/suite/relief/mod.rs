@@ -1,5 +1,7 @@
 //! Exact relief methods on the device against the reference in f64.
 
+mod accuracy;
+
 use terrane::relief::{Outcome, Segment, Traced, Tracer, shader};
 use terrane::render::{Gpu, Selection};
 use terrane_shaderlib::heightfield::adversary::{AIMS, Case, Depth, LANDS, Random, Rays, SIZES, map};
