@@ -19,8 +19,6 @@ struct WideState {
     t: f32,
     /// Whether the child around the cell may be hit.
     meets: bool,
-    /// Whether the node is another than that which was loaded.
-    fresh: bool,
 }
 
 /// The first hit of a ray.
@@ -31,12 +29,16 @@ fn wide_trace(
     ray: ReliefRay,
 ) -> ReliefHit {
     let frame = walk_frame(ray);
-    var state = WideState(frame.base, clamp((walk_entry(ray.end) + 1i) / 2i, 1i, field.top), 0.0, false, true);
+    var state = WideState(frame.base, clamp((walk_entry(ray.end) + 1i) / 2i, 1i, field.top), 0.0, false);
     var node = vec4u(0u);
+    // Column, row and level of the node that is loaded.
+    var held = vec3i(0i);
     var steps = 0u;
     var leaves = 0u;
     while steps < field.limit {
-        if state.fresh {
+        let wanted = vec3i(state.cell >> vec2u(u32(2i * state.level)), state.level);
+        if any(wanted != held) {
+            held = wanted;
             node = wide_node(bounds, field, state.cell ^ frame.mirror, state.level);
             steps++;
         }
@@ -78,7 +80,6 @@ fn wide_children(field: ReliefField, frame: WalkFrame, node: vec4u, start: WideS
         let left = clear && (walk_beyond(last, along_x) & ((4i << scale) - 1i)) == 0i;
         state.cell = next;
         state.meets = !clear;
-        state.fresh = left || state.level > 1i;
         if !clear || left || state.t >= frame.end {
             break;
         }
@@ -90,7 +91,7 @@ fn wide_children(field: ReliefField, frame: WalkFrame, node: vec4u, start: WideS
 fn wide_moved(field: ReliefField, state: WideState, past: WalkState) -> WideState {
     let left = any((past.cell & vec2i(-4i)) != (state.cell & vec2i(-4i)));
     let level = select(1i, min(2i, field.top), left);
-    return WideState(past.cell, level, past.t, false, left);
+    return WideState(past.cell, level, past.t, false);
 }
 
 /// The bounds of the children of the node around a cell.
