@@ -77,7 +77,11 @@ impl Lighting {
     #[must_use]
     pub fn shader(self, scene: &Scene, lid: f64) -> String {
         let reach = float(scene.reach.min(LONGEST));
-        with_call(&self.call(scene, lid), &SEEN.replace("LIFT", &float(LIFT)).replace("REACH", &reach))
+        with_call(
+            Method::ShadowHard,
+            &self.call(scene, lid),
+            &SEEN.replace("LIFT", &float(LIFT)).replace("REACH", &reach),
+        )
     }
 
     fn call(self, scene: &Scene, lid: f64) -> String {

@@ -7,23 +7,29 @@ use terrane_shaderlib::relief::Method;
 use crate::render::Gpu;
 
 const HOST: &str = "
-struct ReliefStored { cell: vec2i, origin: vec3f, direction: vec3f, end: f32 }
 @group(0) @binding(0) var<uniform> relief_field: ReliefField;
-@group(0) @binding(1) var<storage, read> relief_rays: array<ReliefStored>;
+@group(0) @binding(1) var relief_rays: texture_storage_2d<rgba32uint, read>;
 @group(0) @binding(2) var<storage, read_write> relief_hits: array<ReliefHit>;
-@group(0) @binding(3) var relief_heights: texture_2d_array<u32>;
-@group(0) @binding(4) var relief_bounds: texture_2d_array<u32>;
+@group(0) @binding(3) var relief_heights: HEIGHTS;
+@group(0) @binding(4) var relief_bounds: BOUNDS;
 
 @compute @workgroup_size(64)
 fn relief_main(@builtin(global_invocation_id) id: vec3u, @builtin(num_workgroups) groups: vec3u) {
     let index = id.x + id.y * groups.x * 64u;
-    if index < arrayLength(&relief_rays) {
-        let stored = relief_rays[index];
-        let ray = ReliefRay(stored.cell, stored.origin, stored.direction, stored.end);
+    if index < arrayLength(&relief_hits) {
+        let at = vec2u(3u * (index % COLUMNSu), index / COLUMNSu);
+        let cell = textureLoad(relief_rays, at);
+        let origin = textureLoad(relief_rays, at + vec2u(1u, 0u));
+        let along = textureLoad(relief_rays, at + vec2u(2u, 0u));
+        let direction = bitcast<vec3f>(along.xyz);
+        let ray = ReliefRay(bitcast<vec2i>(cell.xy), bitcast<vec3f>(origin.xyz), direction, bitcast<f32>(along.w));
         relief_hits[index] = CALL;
     }
 }
 ";
+
+/// Rays in a row of their texture, three texels each.
+pub(super) const COLUMNS: usize = 1024;
 
 const TILED: &str = "
 fn relief_found(tiles: ReliefField, whole: ReliefRay) -> ReliefHit {
@@ -54,32 +60,34 @@ fn relief_over_tile(tiles: ReliefField, ray: ReliefRay) -> ReliefHit {
 /// entry point itself: Mesa 22.3's llvmpipe mistakes lanes that leave loops early where it is not.
 #[must_use]
 pub fn shader(method: Method) -> String {
-    with_call(&call(method, "relief_field"), "")
+    with_call(method, &call(method, "relief_field"), "")
 }
 
 /// The same over a map that is placed to be traced tile by tile.
 #[must_use]
 pub fn tiled_shader(method: Method) -> String {
-    with_call("relief_found(relief_field, ray)", &TILED.replace("CALL", &call(method, "tiles")))
+    with_call(method, "relief_found(relief_field, ray)", &TILED.replace("CALL", &call(method, "tiles")))
 }
 
 fn call(method: Method, field: &str) -> String {
     method.call("relief_heights", "relief_bounds", field, "ray")
 }
 
-/// WGSL that calls what makes a `ReliefHit` of `ray`, with what `more` declares and what both need of the library.
-pub(super) fn with_call(call: &str, more: &str) -> String {
+/// WGSL over the textures of a method that calls what makes a `ReliefHit` of `ray`, with what `more` declares and what both need of the library.
+pub(super) fn with_call(method: Method, call: &str, more: &str) -> String {
     let library =
         Library::load(&mut Sources::default(), &[]).expect("the shipped library is right, which its tests show");
-    let host = HOST.replace("CALL", call) + more;
+    let [heights, bounds] = method.textures();
+    let host = HOST.replace("HEIGHTS", heights).replace("BOUNDS", bounds).replace("COLUMNS", &COLUMNS.to_string());
+    let host = host.replace("CALL", call) + more;
     let items = library.closure(&host);
     let declarations = items.iter().map(|item| library.slice(*item).to_owned() + "\n");
     declarations.chain([host.clone()]).collect()
 }
 
-pub(super) fn pipeline(gpu: &Gpu, text: &str) -> wgpu::ComputePipeline {
+pub(super) fn pipeline(gpu: &Gpu, method: Method, text: &str) -> wgpu::ComputePipeline {
     let module = module(gpu, text);
-    let entries: Vec<_> = (0..5).map(entry).collect();
+    let entries: Vec<_> = (0..5).map(|binding| entry(method, binding)).collect();
     let group = gpu
         .device
         .create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some("relief"), entries: &entries });
@@ -109,15 +117,20 @@ fn module(gpu: &Gpu, text: &str) -> wgpu::ShaderModule {
     unsafe { gpu.device.create_shader_module_trusted(descriptor, wgpu::ShaderRuntimeChecks::unchecked()) }
 }
 
-fn entry(binding: u32) -> wgpu::BindGroupLayoutEntry {
+fn entry(method: Method, binding: u32) -> wgpu::BindGroupLayoutEntry {
     let buffer = |ty| wgpu::BindingType::Buffer { ty, has_dynamic_offset: false, min_binding_size: None };
-    let ty = match binding {
-        0 => buffer(wgpu::BufferBindingType::Uniform),
-        1 => buffer(wgpu::BufferBindingType::Storage { read_only: true }),
-        2 => buffer(wgpu::BufferBindingType::Storage { read_only: false }),
+    let array = wgpu::TextureViewDimension::D2Array;
+    let access = wgpu::StorageTextureAccess::ReadOnly;
+    let storage = |format, view_dimension| wgpu::BindingType::StorageTexture { access, format, view_dimension };
+    let ty = match (binding, method) {
+        (0, _) => buffer(wgpu::BufferBindingType::Uniform),
+        (1, _) => storage(wgpu::TextureFormat::Rgba32Uint, wgpu::TextureViewDimension::D2),
+        (2, _) => buffer(wgpu::BufferBindingType::Storage { read_only: false }),
+        (3, Method::Sprint) => storage(wgpu::TextureFormat::Rg32Uint, array),
+        (4, Method::Sprint) => storage(wgpu::TextureFormat::R32Uint, array),
         _ => wgpu::BindingType::Texture {
             sample_type: wgpu::TextureSampleType::Uint,
-            view_dimension: wgpu::TextureViewDimension::D2Array,
+            view_dimension: array,
             multisampled: false,
         },
     };

@@ -9,8 +9,8 @@ use wgpu::util::{BufferInitDescriptor, DeviceExt as _};
 
 use super::clock::{Clock, Timing};
 use super::setup::{DeviceRay, Segment, Setup};
-use super::shader::{pipeline, shader, tiled_shader};
-use super::texture::textures;
+use super::shader::{COLUMNS, pipeline, shader, tiled_shader};
+use super::texture::{self, textures};
 use crate::render::{Gpu, RenderError};
 
 /// What became of a ray.
@@ -64,6 +64,9 @@ pub(super) struct DeviceHit {
 /// Work groups in a row of a dispatch: WebGPU promises 65535.
 const ROW: usize = 32_768;
 
+/// Rows of rays that are sent at once: what WebGPU promises for a texture.
+const ROWS: usize = 8192;
+
 impl<'a> Tracer<'a> {
     /// Uploads the map and compiles the method; `placed` is the map with the bounds of the method.
     ///
@@ -82,7 +85,7 @@ impl<'a> Tracer<'a> {
         method: Method,
         text: &str,
     ) -> Result<Self, RenderError> {
-        let pipeline = gpu.checked("relief's pipeline", || pipeline(gpu, text))?;
+        let pipeline = gpu.checked("relief's pipeline", || pipeline(gpu, method, text))?;
         Self::with(gpu, heights, placed, method, pipeline)
     }
 
@@ -130,7 +133,7 @@ impl<'a> Tracer<'a> {
     /// # Errors
     /// [`RenderError::Refused`] where the device does not take the method.
     pub fn sharing(&self, method: Method) -> Result<Self, RenderError> {
-        let pipeline = self.gpu.checked("relief's pipeline", || pipeline(self.gpu, &shader(method)))?;
+        let pipeline = self.gpu.checked("relief's pipeline", || pipeline(self.gpu, method, &shader(method)))?;
         Ok(Self { pipeline, textures: self.textures.clone(), field: self.field.clone(), ..*self })
     }
 
@@ -148,7 +151,7 @@ impl<'a> Tracer<'a> {
         let setup = |segment| Setup::new(self.heights, self.range, segment);
         let setups: Vec<Option<Setup>> = segments.iter().map(setup).collect();
         let sent: Vec<DeviceRay> = setups.iter().flatten().map(|setup| setup.ray).collect();
-        let (hits, time) = if sent.is_empty() { (Vec::new(), Duration::ZERO) } else { self.run(&sent)? };
+        let (hits, time) = self.run(&sent)?;
         let mut hits = hits.iter();
         let traced = setups.iter().map(|setup| {
             let found = setup.as_ref().and_then(|setup| hits.next().map(|hit| traced(setup, hit)));
@@ -159,17 +162,24 @@ impl<'a> Tracer<'a> {
 
     /// One answer for each ray.
     pub(super) fn run(&self, rays: &[DeviceRay]) -> Result<(Vec<DeviceHit>, Duration), RenderError> {
+        let (mut hits, mut time) = (Vec::new(), Duration::ZERO);
+        for part in rays.chunks(ROWS * COLUMNS) {
+            let (found, took) = self.run_part(part)?;
+            hits.extend(found);
+            time += took;
+        }
+        Ok((hits, time))
+    }
+
+    /// The same for as many as one texture holds.
+    fn run_part(&self, rays: &[DeviceRay]) -> Result<(Vec<DeviceHit>, Duration), RenderError> {
         let device = &self.gpu.device;
         let size = (rays.len() * size_of::<DeviceHit>()) as u64;
-        let sent = device.create_buffer_init(&BufferInitDescriptor {
-            label: Some("rays"),
-            contents: bytemuck::cast_slice(rays),
-            usage: wgpu::BufferUsages::STORAGE,
-        });
+        let sent = self.gpu.checked("rays", || texture::rays(self.gpu, rays))?;
         let buffer = |usage| wgpu::BufferDescriptor { label: Some("hits"), size, usage, mapped_at_creation: false };
         let found = device.create_buffer(&buffer(wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC));
         let read = device.create_buffer(&buffer(wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ));
-        let group = self.bind([&sent, &found]);
+        let group = self.bind(&sent, &found);
         self.gpu.wait()?;
         let clock = Clock::start(self.gpu, self.timing);
         let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
@@ -188,10 +198,11 @@ impl<'a> Tracer<'a> {
         Ok((self.read(&found, &read)?, time))
     }
 
-    fn bind(&self, [rays, hits]: [&wgpu::Buffer; 2]) -> wgpu::BindGroup {
-        let buffers = [&self.field, rays, hits].map(|buffer| buffer.as_entire_binding());
-        let textures = self.textures.each_ref().map(wgpu::BindingResource::TextureView);
-        let resources = buffers.into_iter().chain(textures).enumerate();
+    fn bind(&self, rays: &wgpu::TextureView, hits: &wgpu::Buffer) -> wgpu::BindGroup {
+        let [heights, bounds] = self.textures.each_ref().map(wgpu::BindingResource::TextureView);
+        let rays = wgpu::BindingResource::TextureView(rays);
+        let resources = [self.field.as_entire_binding(), rays, hits.as_entire_binding(), heights, bounds];
+        let resources = resources.into_iter().enumerate();
         let entries: Vec<_> =
             resources.map(|(binding, resource)| wgpu::BindGroupEntry { binding: binding as u32, resource }).collect();
         self.gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {

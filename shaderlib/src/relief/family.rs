@@ -22,6 +22,8 @@ struct Family {
 const FAMILIES: &[Family] = &[
     single("maximum_mipmaps", &[Method::MaximumMipmaps]),
     single("walk", &[Method::Walk]),
+    single("sprint", &[Method::Sprint]),
+    single("wide", &[Method::Wide]),
     Family {
         name: "linear_secant",
         budget: "STEPS",

@@ -18,14 +18,19 @@ pub struct Field {
     pub mip: i32,
     /// The layer of the textures.
     pub layer: i32,
+    /// Where the first patch of the mip stands in an image of patches.
+    pub patches: [i32; 2],
+    /// log2 of the steps of height to a step of a coarse bound.
+    pub unit: i32,
 }
 
 impl Field {
     /// The words of a uniform buffer.
     #[must_use]
-    pub fn words(&self) -> [i32; 10] {
-        let Self { wrap, last, corner, top, limit, mip, layer } = *self;
+    pub fn words(&self) -> [i32; 14] {
+        let Self { wrap, last, corner, top, limit, mip, layer, patches, unit } = *self;
         // A limit beyond 2^31 keeps its bits.
-        [wrap[0], wrap[1], last[0], last[1], corner[0], corner[1], top, limit as i32, mip, layer]
+        let [[a, b], [c, d], [e, f], [g, h]] = [wrap, last, corner, patches];
+        [a, b, c, d, e, f, top, limit as i32, mip, layer, g, h, unit, 0]
     }
 }

@@ -10,6 +10,10 @@ use crate::heightfield::cones::Cones;
 pub enum Method {
     /// `shaderlib/wgsl/relief/walk.wgsl`.
     Walk,
+    /// `shaderlib/wgsl/relief/sprint.wgsl`.
+    Sprint,
+    /// `shaderlib/wgsl/relief/wide.wgsl`.
+    Wide,
     /// `shaderlib/wgsl/relief/maximum_mipmaps.wgsl`.
     MaximumMipmaps,
     /// `shaderlib/wgsl/relief/shadow_hard.wgsl`: the walk from the finest node up, for rays that leave the ground.
@@ -41,7 +45,8 @@ impl Method {
     /// Whether it finds the first hit of every ray.
     #[must_use]
     pub fn is_exact(self) -> bool {
-        matches!(self.bounds(), Bounds::CellMax | Bounds::Cones(Cones::Robust))
+        let exact = [Bounds::CellMax, Bounds::Patches, Bounds::Wide, Bounds::Cones(Cones::Robust)];
+        exact.contains(&self.bounds())
     }
 
     /// What it knows of the map.
@@ -53,11 +58,22 @@ impl Method {
             | Self::ShadowHard
             | Self::QuadtreeDisplacementRepaired
             | Self::QuadtreeReliefExact => Bounds::CellMax,
+            Self::Sprint => Bounds::Patches,
+            Self::Wide => Bounds::Wide,
             Self::QuadtreeDisplacement(_) | Self::QuadtreeRelief(_) => Bounds::TexelMax,
             Self::Linear(..) | Self::ParallaxOffset(_) => Bounds::None,
             Self::RobustCone => Bounds::Cones(Cones::Robust),
             Self::ConeStep(_) => Bounds::Cones(Cones::Step),
             Self::RelaxedCone(..) => Bounds::Cones(Cones::Relaxed),
+        }
+    }
+
+    /// The WGSL types of its textures: of heights, and of bounds.
+    #[must_use]
+    pub fn textures(self) -> [&'static str; 2] {
+        match self {
+            Self::Sprint => ["texture_storage_2d_array<rg32uint, read>", "texture_storage_2d_array<r32uint, read>"],
+            _ => ["texture_2d_array<u32>"; 2],
         }
     }
 
@@ -67,6 +83,8 @@ impl Method {
         let exact = |name: &str| format!("{name}({heights}, {bounds}, {field}, {ray})");
         match self {
             Self::Walk => exact("walk_trace"),
+            Self::Sprint => exact("sprint_trace"),
+            Self::Wide => exact("wide_trace"),
             Self::MaximumMipmaps => exact("maximum_mipmaps_trace"),
             Self::ShadowHard => exact("shadow_hard_trace"),
             Self::RobustCone => exact("robust_cone_trace"),
@@ -92,6 +110,8 @@ impl fmt::Display for Method {
     fn fmt(&self, to: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Walk => to.write_str("walk"),
+            Self::Sprint => to.write_str("sprint"),
+            Self::Wide => to.write_str("wide"),
             Self::MaximumMipmaps => to.write_str("maximum_mipmaps"),
             Self::ShadowHard => to.write_str("shadow_hard"),
             Self::RobustCone => to.write_str("robust_cone"),

@@ -11,7 +11,9 @@ mod family;
 mod field;
 mod method;
 mod mips;
+mod patches;
 mod placed;
+mod strip;
 mod update;
 
 pub use dirty::{Extent, Region, halved};

@@ -3,9 +3,9 @@
 use std::fmt;
 
 use super::dirty::Extent;
-use super::{Field, atlas, cones, mips, update};
+use super::{Field, atlas, cones, mips, patches, strip, update};
 use crate::heightfield::cones::Cones;
-use crate::heightfield::pyramid::{Bound, Levels, Pyramid};
+use crate::heightfield::pyramid::{Bound, CHILDREN, Levels, Pyramid, Wide};
 use crate::heightfield::{Border, Heights, Texels};
 
 /// What a method knows of the empty space over a map.
@@ -20,6 +20,10 @@ pub enum Bounds {
     TexelMax,
     /// A cone over each texel or cell, beside the height of its tip.
     Cones(Cones),
+    /// The same in 32-bit words, and the heights as patches: four to a texel.
+    Patches,
+    /// Sixteen children to a node.
+    Wide,
 }
 
 /// Texels of an image.
@@ -29,6 +33,12 @@ pub enum Words {
     R16(Vec<Vec<u16>>),
     /// `rg16uint`, mip by mip.
     Rg16(Vec<Vec<[u16; 2]>>),
+    /// `r32uint`, for a storage texture.
+    R32(Vec<u32>),
+    /// `rg32uint`, for a storage texture.
+    Rg32(Vec<[u32; 2]>),
+    /// `rgba32uint`.
+    Rgba32(Vec<[u32; 4]>),
 }
 
 /// An image for a shader's `texture_2d_array<u32>`.
@@ -47,6 +57,9 @@ impl Plane {
         match &self.words {
             Words::R16(mips) => mips.iter().map(|mip| size_of_val(&mip[..])).sum(),
             Words::Rg16(mips) => mips.iter().map(|mip| size_of_val(&mip[..])).sum(),
+            Words::R32(words) => size_of_val(&words[..]),
+            Words::Rg32(words) => size_of_val(&words[..]),
+            Words::Rgba32(words) => size_of_val(&words[..]),
         }
     }
 }
@@ -58,6 +71,7 @@ impl Plane {
         match &self.words {
             Words::R16(mips) => mips.len(),
             Words::Rg16(mips) => mips.len(),
+            Words::R32(_) | Words::Rg32(_) | Words::Rgba32(_) => 1,
         }
     }
 
@@ -72,6 +86,10 @@ impl Plane {
                 let [red, green] = mips.get(mip)?[at].map(u32::from);
                 [red, green, 0, 1]
             }
+            // These have one mip.
+            Words::R32(words) => [words[at], 0, 0, 1],
+            Words::Rg32(words) => [words[at][0], words[at][1], 0, 1],
+            Words::Rgba32(words) => words[at],
         })
     }
 }
@@ -154,20 +172,41 @@ impl Placed {
                 limit,
                 mip: mip as i32,
                 layer: 0,
+                patches: patches::corner(mips[0].size, mip as u32).map(|at| at as i32),
+                unit: 0,
             }
         });
-        let fields = fields.collect();
-        let bounds = match bounds {
+        let mut fields: Vec<Field> = fields.collect();
+        let image = match bounds {
+            Bounds::None => Plane { size: [1, 1], words: Words::R16(vec![vec![0]]) },
+            Bounds::CellMax => quadtrees(&mips, Bound::CellMax, |image| Words::R16(vec![image])),
+            Bounds::TexelMax => quadtrees(&mips, Bound::TexelMax, |image| Words::R16(vec![image])),
+            Bounds::Patches => {
+                let words = |image: Vec<u16>| Words::R32(image.into_iter().map(u32::from).collect());
+                quadtrees(&mips, Bound::CellMax, words)
+            }
+            Bounds::Wide => wide(&mips, &mut fields),
             Bounds::Cones(cones) => {
                 cones::plane(heights, mips.iter().map(|mip| (mip.size, &mip.texels[..])), cones, progress)
             }
-            Bounds::CellMax => quadtrees(&mips, Bound::CellMax),
-            Bounds::TexelMax => quadtrees(&mips, Bound::TexelMax),
-            Bounds::None => Plane { size: [1, 1], words: Words::R16(vec![vec![0]]) },
         };
-        let heights = Plane { size: mips[0].size, words: Words::R16(mips.into_iter().map(|mip| mip.texels).collect()) };
-        Ok(Self { heights, bounds, fields, range, tiled })
+        let heights = if bounds == Bounds::Patches { all_patches(&mips) } else { texels_of(mips) };
+        Ok(Self { heights, bounds: image, fields, range, tiled })
     }
+}
+
+fn texels_of(mips: Vec<Mip>) -> Plane {
+    Plane { size: mips[0].size, words: Words::R16(mips.into_iter().map(|mip| mip.texels).collect()) }
+}
+
+/// Filled up a map wraps, whatever it did: nothing is asked of the patches behind its border.
+fn all_patches(mips: &[Mip]) -> Plane {
+    let size = patches::size(mips[0].size, mips.len() > 1);
+    let mut image = vec![[0; 2]; size[0] as usize * size[1] as usize];
+    for (index, mip) in mips.iter().enumerate() {
+        patches::write(&mut image, size[0], patches::corner(mips[0].size, index as u32), &mip.texels, mip.size);
+    }
+    Plane { size, words: Words::Rg32(image) }
 }
 
 /// The map and its mips; one that ends at its border has none.
@@ -182,7 +221,7 @@ fn mips(texels: Vec<u16>, size: [u32; 2], wraps: bool) -> Vec<Mip> {
     mips
 }
 
-fn quadtrees(mips: &[Mip], bound: Bound) -> Plane {
+fn quadtrees(mips: &[Mip], bound: Bound, words: impl Fn(Vec<u16>) -> Words) -> Plane {
     let size = atlas::size(mips[0].size);
     let mut image = vec![0; size[0] as usize * size[1] as usize];
     for (index, mip) in mips.iter().enumerate() {
@@ -190,7 +229,35 @@ fn quadtrees(mips: &[Mip], bound: Bound) -> Plane {
         let corner = atlas::corner(mips[0].size, index as u32);
         atlas::write(&mut image, size[0], corner, &quadtree(mip, bound)[..=top]);
     }
-    Plane { size, words: Words::R16(vec![image]) }
+    Plane { size, words: words(image) }
+}
+
+/// The strip of all mips, and how their fields read it: `corner` is the first node and log2 of the columns of cells.
+fn wide(mips: &[Mip], fields: &mut [Field]) -> Plane {
+    let pyramids: Vec<Wide> = mips.iter().map(wide_of).collect();
+    let counts: Vec<Vec<usize>> =
+        pyramids.iter().map(|mip| mip.levels.iter().map(|level| level.values.len()).collect()).collect();
+    let firsts = strip::corners(&counts);
+    for ((field, pyramid), (first, mip)) in fields.iter_mut().zip(&pyramids).zip(firsts.iter().zip(mips)) {
+        field.corner = [*first as i32, mip.size[0].max(CHILDREN).ilog2() as i32];
+        field.top = pyramid.levels.len() as i32;
+        field.unit = pyramid.shift as i32;
+    }
+    let image = strip::image(&pyramids, &firsts);
+    let size = [strip::COLUMNS as u32, (image.len() / strip::COLUMNS) as u32];
+    Plane { size, words: Words::Rgba32(image) }
+}
+
+/// The levels whose nodes the map has whole. A map of fewer cells than children is repeated.
+fn wide_of(mip: &Mip) -> Wide {
+    let size = mip.size.map(|side| side.max(CHILDREN));
+    let columns = |y: u32| (0..size[0]).map(move |x| y % mip.size[1] * mip.size[0] + x % mip.size[0]);
+    let texels = (0..size[1]).flat_map(columns).map(|index| mip.texels[index as usize]).collect();
+    let whole = Heights::new(size, Border::Wrap, Texels::U16(texels))
+        .expect("a power of two is in range where no smaller side was beyond it");
+    let mut pyramid = Wide::new(&whole).expect("16-bit heights are steps");
+    pyramid.levels.truncate((size[0].min(size[1]).ilog2() / 2) as usize);
+    pyramid
 }
 
 /// Filled up a map wraps, whatever it did: the nodes behind the border are held against the first column as well, which

@@ -5,10 +5,20 @@
 //! are those of `walk`; but for a ray that rises, it is where it enters a node that decides, so nothing is done about its exit.
 //! Source: Terrane; after Tevs, Ihrke and Seidel, "Maximum Mipmaps for Fast, Accurate, and Scalable Dynamic Height Field Rendering", I3D 2008.
 
+/// A node of the quadtree.
+struct ClimbNode {
+    /// Its far sides, in texels from the base cell: whole numbers.
+    sides: vec2f,
+    /// Its side in texels.
+    size: f32,
+    /// log2 of that.
+    level: i32,
+}
+
 /// How far a walk has come.
 struct ClimbState {
     /// Where it is.
-    node: WalkNode,
+    node: ClimbNode,
     /// Before this t nothing is in the way.
     t: f32,
     /// Where the ray leaves the node.
@@ -24,7 +34,7 @@ struct ClimbState {
 /// The start: in the first cell, up to its far side.
 fn climb_start(frame: WalkFrame) -> ClimbState {
     let reach = frame.inverse + frame.before;
-    return ClimbState(WalkNode(vec2f(1.0), 1.0, 0i), 0.0, max(min(reach.x, reach.y), 0.0), 0.0, 0u, true);
+    return ClimbState(ClimbNode(vec2f(1.0), 1.0, 0i), 0.0, max(min(reach.x, reach.y), 0.0), 0.0, 0u, true);
 }
 
 /// Leaves the node, and walks until it stands in one where something may be in the way, is past the end, or has seen too many.
@@ -34,7 +44,7 @@ fn climb_on(bounds: texture_2d_array<u32>, field: ReliefField, frame: WalkFrame,
     var state = start;
     state.stands = false;
     state.t = start.leave;
-    state.node = walk_next(frame, field, start.node, start.node.sides * frame.inverse + frame.before);
+    state.node = climb_next(frame, field, start.node, start.node.sides * frame.inverse + frame.before);
     // One way out, at the top: see `robust_cone`.
     while !state.stands && state.t < frame.end && state.steps < field.limit {
         let node = state.node;
@@ -46,14 +56,14 @@ fn climb_on(bounds: texture_2d_array<u32>, field: ReliefField, frame: WalkFrame,
         let lowest = frame.origin.z + frame.direction.z * select(state.t, state.leave, falls);
         let clear = lowest > state.bound + RELIEF_PAD;
         state.stands = !clear && (node.level == 0i || node.size <= coarse * state.t);
-        let down = walk_child(frame, node, state.t);
-        let on = walk_next(frame, field, node, reach);
-        let moved = WalkNode(
+        let down = climb_child(frame, node, state.t);
+        let on = climb_next(frame, field, node, reach);
+        let moved = ClimbNode(
             select(down.sides, on.sides, clear),
             select(down.size, on.size, clear),
             select(down.level, on.level, clear),
         );
-        state.node = WalkNode(
+        state.node = ClimbNode(
             select(moved.sides, node.sides, state.stands),
             select(moved.size, node.size, state.stands),
             select(moved.level, node.level, state.stands),
@@ -61,4 +71,26 @@ fn climb_on(bounds: texture_2d_array<u32>, field: ReliefField, frame: WalkFrame,
         state.t = select(state.t, state.leave, clear);
     }
     return state;
+}
+
+/// The node beyond the nearer side, or its parent where that side is one of the parent's.
+fn climb_next(frame: WalkFrame, field: ReliefField, node: ClimbNode, reach: vec2f) -> ClimbNode {
+    let along_x = reach.x <= reach.y;
+    let inner = ((frame.base + vec2i(node.sides)) & vec2i(1i << u32(node.level))) != vec2i(0);
+    let up = !select(inner.y, inner.x, along_x) && node.level < field.top;
+    let moved = node.sides + node.size * select(vec2f(0.0, 1.0), vec2f(1.0, 0.0), along_x);
+    let wider = node.size * select(vec2f(0.0), vec2f(1.0), inner != vec2<bool>(along_x, !along_x));
+    return ClimbNode(
+        select(moved, moved + wider, up),
+        select(node.size, 2.0 * node.size, up),
+        node.level + select(0i, 1i, up),
+    );
+}
+
+/// The child that the ray is in at t.
+fn climb_child(frame: WalkFrame, node: ClimbNode, t: f32) -> ClimbNode {
+    let half = 0.5 * node.size;
+    let middle = node.sides - half;
+    let near = vec2f(t) < middle * frame.inverse + frame.before;
+    return ClimbNode(select(node.sides, middle, near), half, node.level - 1i);
 }

@@ -129,6 +129,8 @@ fn displaced_field(size: vec2u, layer: DisplacedLayer, mip: i32) -> ReliefField 
         DISPLACED_LIMIT,
         mip,
         layer.layer,
+        vec2i(0),
+        0i,
     );
 }
 

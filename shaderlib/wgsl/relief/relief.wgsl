@@ -21,6 +21,10 @@ struct ReliefField {
     mip: i32,
     /// The layer of the textures.
     layer: i32,
+    /// Where the mip's first patch stands in an image of patches.
+    patches: vec2i,
+    /// log2 of the steps of height to a step of a coarse bound.
+    unit: i32,
 }
 
 /// A ray that comes down on the map, or leaves the ground.

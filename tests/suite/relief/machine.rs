@@ -47,7 +47,10 @@ struct Shaders([(naga::Module, ModuleInfo); 2]);
 
 impl Shaders {
     fn new(method: Method) -> Self {
-        Self([shader(method), tiled_shader(method)].map(|text| {
+        // The entry point calls the method itself; the machine calls a function.
+        let call = method.call("relief_heights", "relief_bounds", "tiles", "ray");
+        let whole = format!("fn relief_found(tiles: ReliefField, ray: ReliefRay) -> ReliefHit {{ return {call}; }}");
+        Self([shader(method) + &whole, tiled_shader(method)].map(|text| {
             let module = naga::front::wgsl::parse_str(&text).expect("Tint and the device take it");
             let info = Validator::new(ValidationFlags::all(), Capabilities::all()).validate(&module);
             (module, info.expect("Tint and the device take it"))
@@ -85,7 +88,8 @@ impl Shaders {
 fn field<D: Domain>(field: &Field) -> Value<D> {
     let pairs = [field.wrap, field.last, field.corner].map(|pair| Value::integers(&[pair]));
     let rest = [Value::i32(&[field.top]), Value::u32(&[field.limit]), Value::integers(&[[field.mip, field.layer]])];
-    Value::join(pairs.into_iter().chain(rest))
+    let last = [Value::integers(&[field.patches]), Value::i32(&[field.unit])];
+    Value::join(pairs.into_iter().chain(rest).chain(last))
 }
 
 /// `ReliefRay`.

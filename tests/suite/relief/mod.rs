@@ -1,5 +1,6 @@
 //! Exact relief methods on the device against the reference in f64.
 
+mod accuracy;
 mod build;
 mod defects;
 mod displacement;
@@ -77,6 +78,16 @@ fn robust_cones_are_exact() {
 }
 
 #[test]
+fn the_sprint_is_exact() {
+    exact(Method::Sprint);
+}
+
+#[test]
+fn wide_is_exact() {
+    exact(Method::Wide);
+}
+
+#[test]
 fn maximum_mipmaps_are_exact() {
     exact(Method::MaximumMipmaps);
 }
@@ -134,6 +145,8 @@ fn tint_accepts_every_method() {
     let displacement = Displacement { caps: Some([12, 48]), refines: true, stop: 320, ..Displacement::PUBLISHED };
     let methods = [
         Method::Walk,
+        Method::Sprint,
+        Method::Wide,
         Method::MaximumMipmaps,
         Method::ShadowHard,
         Method::Linear(32, 0),

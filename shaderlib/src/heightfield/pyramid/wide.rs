@@ -9,30 +9,16 @@ use crate::heightfield::heights::Heights;
 /// Children of a node along each axis.
 pub const CHILDREN: u32 = 4;
 
-/// A pyramid of four by four children to a node, all levels in one image of four 32-bit words to a texel.
+/// A pyramid of four by four children to a node, a node four 32-bit words.
 ///
 /// Byte 4 j + i of a node (of its sixteen, the lowest bits first) bounds child (i, j): the surface there is at most
-/// `(byte + 1) << shift` steps high. Children beyond the map have 0. Level 1, whose children are the cells, stands at the
-/// left; the others stand in the column to the right of it, the finer ones above.
+/// `(byte + 1) << shift` steps high. Children beyond the map have 0.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Wide {
-    /// Steps of the map to a step of a bound, as a power of two: 0 for 8-bit maps, 8 for 16-bit ones.
+    /// Steps of the map to a step of a bound, as a power of two: the least with which the highest fits.
     pub shift: u32,
-    /// Columns and rows of the image.
-    pub size: [u32; 2],
-    /// Texels, row by row.
-    pub texels: Vec<[u32; 4]>,
-    /// Columns and rows of each level and where it stands; level 1 comes first.
-    pub levels: Vec<Place>,
-}
-
-/// A level in the image.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Place {
-    /// Columns and rows of nodes.
-    pub size: [u32; 2],
-    /// The texel of its first node.
-    pub at: [u32; 2],
+    /// The nodes whose children are the cells come first, the one over the whole map last.
+    pub levels: Vec<Level<[u32; 4]>>,
 }
 
 impl Wide {
@@ -42,26 +28,23 @@ impl Wide {
     /// For a map of floats.
     pub fn new(heights: &Heights) -> Result<Self, FloatHeights> {
         match Pyramid::new(heights, Bound::CellMax).levels() {
-            Levels::U8(levels) => Ok(Self::pack(levels, 0)),
-            Levels::U16(levels) => Ok(Self::pack(levels, 8)),
+            Levels::U8(levels) => Ok(Self::pack(levels)),
+            Levels::U16(levels) => Ok(Self::pack(levels)),
             Levels::F32(_) => Err(FloatHeights),
         }
     }
 
-    fn pack<T: Copy + Into<u32> + Sync>(levels: &[Level<T>], shift: u32) -> Self {
-        let places = places(levels[0].size);
-        let size = places.iter().fold([0, 0], |size, place| [0, 1].map(|i| size[i].max(place.at[i] + place.size[i])));
-        let mut texels = vec![[0; 4]; size[0] as usize * size[1] as usize];
-        for (index, place) in places.iter().enumerate() {
+    fn pack<T: Copy + Into<u32> + Sync>(finer: &[Level<T>]) -> Self {
+        let highest: u32 = finer[finer.len() - 1].at(0, 0).into();
+        let shift = (u32::BITS - highest.leading_zeros()).saturating_sub(u8::BITS);
+        let mut levels = Vec::new();
+        let mut size = finer[0].size;
+        while levels.is_empty() || size != [1, 1] {
+            size = size.map(|side| side.div_ceil(CHILDREN));
             // A level of four by four children is every second one of two by two; the coarsest may be missing.
-            let children = &levels[(2 * index).min(levels.len() - 1)];
-            let rows = texels.par_chunks_mut(size[0] as usize).skip(place.at[1] as usize).take(place.size[1] as usize);
-            rows.enumerate().for_each(|(y, row)| {
-                let nodes = &mut row[place.at[0] as usize..][..place.size[0] as usize];
-                (0..CHILDREN).for_each(|j| word(children, CHILDREN * y as u32 + j, shift, nodes, j as usize));
-            });
+            levels.push(nodes(&finer[(2 * levels.len()).min(finer.len() - 1)], size, shift));
         }
-        Self { shift, size, texels, levels: places }
+        Self { shift, levels }
     }
 
     /// What the pyramid says of a child: the level of its node, from 1, and its column and row among all children there.
@@ -70,17 +53,15 @@ impl Wide {
     /// If there is no such child.
     #[must_use]
     pub fn bound(&self, level: usize, x: u32, y: u32) -> u32 {
-        let place = self.levels[level - 1];
-        let [column, row] = [place.at[0] + x / CHILDREN, place.at[1] + y / CHILDREN];
-        let texel = self.texels[(row * self.size[0] + column) as usize];
-        let byte = texel[(y % CHILDREN) as usize] >> (8 * (x % CHILDREN)) & 0xff;
+        let node = self.levels[level - 1].at(x / CHILDREN, y / CHILDREN);
+        let byte = node[(y % CHILDREN) as usize] >> (8 * (x % CHILDREN)) & 0xff;
         (byte + 1) << self.shift
     }
 
-    /// Bytes of the image.
+    /// Bytes of all nodes.
     #[must_use]
     pub fn bytes(&self) -> usize {
-        size_of_val(&self.texels[..])
+        self.levels.iter().map(|level| size_of_val(&level.values[..])).sum()
     }
 }
 
@@ -96,16 +77,12 @@ impl std::fmt::Display for FloatHeights {
 
 impl std::error::Error for FloatHeights {}
 
-fn places(cells: [u32; 2]) -> Vec<Place> {
-    let mut size = cells.map(|side| side.div_ceil(CHILDREN));
-    let (right, mut top) = (size[0], 0);
-    let mut places = vec![Place { size, at: [0, 0] }];
-    while size[0] > 1 || size[1] > 1 {
-        size = size.map(|side| side.div_ceil(CHILDREN));
-        places.push(Place { size, at: [right, top] });
-        top += size[1];
-    }
-    places
+fn nodes<T: Copy + Into<u32> + Sync>(children: &Level<T>, size: [u32; 2], shift: u32) -> Level<[u32; 4]> {
+    let mut level = Level::blank(size);
+    level.values.par_chunks_mut(size[0] as usize).enumerate().for_each(|(y, nodes)| {
+        (0..CHILDREN).for_each(|j| word(children, CHILDREN * y as u32 + j, shift, nodes, j as usize));
+    });
+    level
 }
 
 /// The bounds of a row of children, word `index` of each node over it: a byte is the largest height less one, rounded down,

@@ -1,0 +1,57 @@
+//! One image for the patches of all mips of a map: the four heights of a cell in one texel.
+
+/// Where the first patch of a mip stands: the mips under the map, each to the right of the one before.
+pub(super) fn corner([width, height]: [u32; 2], mip: u32) -> [u32; 2] {
+    match mip {
+        0 => [0, 0],
+        _ => [width - (width >> (mip - 1)), height],
+    }
+}
+
+/// Columns and rows of the image over a map of so many cells.
+pub(super) fn size([width, height]: [u32; 2], has_mips: bool) -> [u32; 2] {
+    [width, if has_mips { height + height / 2 } else { height }]
+}
+
+/// Writes the patches of a mip that wraps: its texels to the corner, along x in the high half, the row behind in the second word.
+pub(super) fn write(image: &mut [[u32; 2]], columns: u32, [left, top]: [u32; 2], texels: &[u16], size: [u32; 2]) {
+    let [width, height] = size.map(|side| side as usize);
+    let pairs = |y: usize| {
+        let row = &texels[y % height * width..][..width];
+        row.iter().enumerate().map(move |(x, near)| u32::from(*near) | u32::from(row[(x + 1) % width]) << 16)
+    };
+    for y in 0..height {
+        let row = &mut image[(top as usize + y) * columns as usize + left as usize..][..width];
+        for (patch, words) in row.iter_mut().zip(pairs(y).zip(pairs(y + 1))) {
+            *patch = words.into();
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn patches_hold_their_corners_and_mips_lie_apart() {
+        let map = [8, 4];
+        let mut image = vec![[9; 2]; 8 * 6];
+        for mip in (0..=2).rev() {
+            let size = map.map(|side| side >> mip);
+            let texels: Vec<u16> = (0..size[0] * size[1]).map(|index| (100 * mip + index) as u16).collect();
+            write(&mut image, 8, corner(map, mip), &texels, size);
+        }
+        assert_eq!(size_of_all(map), 8 * 6);
+        assert_eq!(image[0], [1 << 16, 8 | 9 << 16]);
+        assert_eq!(image[31], [31 | 24 << 16, 7]);
+        assert_eq!(image[32], [100 | 101 << 16, 104 | 105 << 16]);
+        assert_eq!(image[36], [200 | 201 << 16, 200 | 201 << 16]);
+        // What no mip covers.
+        assert_eq!(image.iter().filter(|patch| **patch == [9; 2]).count(), 48 - 32 - 8 - 2);
+    }
+
+    fn size_of_all(map: [u32; 2]) -> u32 {
+        let [width, height] = size(map, true);
+        width * height
+    }
+}

@@ -1,0 +1,104 @@
+//! One image for the wide pyramids of all mips of a map: a strip of nodes, broken into rows.
+
+use crate::heightfield::pyramid::Wide;
+
+/// Nodes in a row of the image, and its columns.
+pub(super) const COLUMNS: usize = 1024;
+
+/// Where in the strip level k of a pyramid begins whose level 1 begins at `first`.
+fn place(first: usize, level: usize) -> usize {
+    first >> (4 * (level - 1))
+}
+
+/// Where level 1 of each mip begins, from the nodes of every mip's levels: the first place from which no two levels meet.
+///
+/// The mips follow each other, so level k of all of them is the strip of level 1 made 16 times shorter k - 1 times, and so is
+/// the way to it: begun at a fifteenth of its own length, it leaves just the room for the coarser ones.
+pub(super) fn corners(mips: &[Vec<usize>]) -> Vec<usize> {
+    let firsts = |start: usize| {
+        mips.iter().scan(start, |next, levels| {
+            let first = *next;
+            *next += levels[0];
+            Some(first)
+        })
+    };
+    let whole: usize = mips.iter().map(|levels| levels[0]).sum();
+    (whole.div_ceil(15)..)
+        .map(|start| firsts(start).collect::<Vec<_>>())
+        .find(|firsts| parted(mips, firsts))
+        .unwrap_or_default()
+}
+
+/// Begin and end of every level.
+fn spans(mips: &[Vec<usize>], firsts: &[usize]) -> Vec<[usize; 2]> {
+    let of = |(levels, first): (&Vec<usize>, &usize)| {
+        let first = *first;
+        let span = move |(index, nodes): (usize, &usize)| {
+            let begin = place(first, index + 1);
+            [begin, begin + nodes]
+        };
+        levels.iter().enumerate().map(span).collect::<Vec<_>>()
+    };
+    mips.iter().zip(firsts).flat_map(of).collect()
+}
+
+fn parted(mips: &[Vec<usize>], firsts: &[usize]) -> bool {
+    let mut spans = spans(mips, firsts);
+    spans.sort_unstable();
+    spans.windows(2).all(|pair| pair[0][1] <= pair[1][0])
+}
+
+/// The strip, filled up to whole rows.
+pub(super) fn image(mips: &[Wide], firsts: &[usize]) -> Vec<[u32; 4]> {
+    let end = mips.iter().zip(firsts).map(|(mip, first)| first + mip.levels[0].values.len()).max().unwrap_or(0);
+    let mut image = vec![[0; 4]; end.next_multiple_of(COLUMNS)];
+    for (mip, first) in mips.iter().zip(firsts) {
+        for (index, level) in mip.levels.iter().enumerate() {
+            image[place(*first, index + 1)..][..level.values.len()].copy_from_slice(&level.values);
+        }
+    }
+    image
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Nodes of the levels over a map of sides that are powers of two.
+    fn counts([width, height]: [usize; 2]) -> Vec<usize> {
+        let top = (width.min(height).ilog2() / 2).max(1);
+        (1..=top).map(|level| width.div_ceil(1 << (2 * level)) * height.div_ceil(1 << (2 * level))).collect()
+    }
+
+    fn all(size: [usize; 2]) -> Vec<Vec<usize>> {
+        let mips = size[0].min(size[1]).ilog2();
+        (0..=mips).map(|mip| counts(size.map(|side| side >> mip))).collect()
+    }
+
+    #[test]
+    fn no_two_levels_share_a_texel() {
+        let sizes = (0..14).flat_map(|x| (0..14).map(move |y| [1_usize << x, 1 << y]));
+        for size in sizes {
+            let mips = all(size);
+            let mut spans = spans(&mips, &corners(&mips));
+            assert_eq!(spans.len(), mips.iter().map(Vec::len).sum::<usize>());
+            spans.sort_unstable();
+            for pair in spans.windows(2) {
+                assert!(pair[0][1] <= pair[1][0], "{size:?}: {pair:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_map_takes_1_1_bytes_a_texel_and_1_5_with_its_mips() {
+        for side in [1024, 2048, 4096, 8192] {
+            let bytes = |mips: &[Vec<usize>]| {
+                let end = spans(mips, &corners(mips)).iter().map(|span| span[1]).max().expect("there are levels");
+                (end.next_multiple_of(COLUMNS) * 16) as f64 / (side * side) as f64
+            };
+            let mips = all([side; 2]);
+            assert!(bytes(&mips[..1]) <= 1.1, "{side}: {}", bytes(&mips[..1]));
+            assert!(bytes(&mips) <= 1.5, "{side}: {}", bytes(&mips));
+        }
+    }
+}
