@@ -58,7 +58,7 @@ impl Extent {
         let side = self.filled.map(|side| side >> mip);
         let along = |axis: usize, range: &Range<u32>| {
             let first = (range.start == 0).then(|| side[axis] - 1..side[axis]);
-            [range.start.saturating_sub(1)..range.end].into_iter().chain(first).collect::<Vec<_>>()
+            std::iter::once(range.start.saturating_sub(1)..range.end).chain(first).collect::<Vec<_>>()
         };
         distinct(texels.iter().flat_map(|[x, y]| cross([along(0, x), along(1, y)])))
     }
@@ -85,7 +85,7 @@ impl Extent {
         let (last, filled) = (self.last[axis], self.filled[axis]);
         // From the last texel on it is that one again.
         let again = range.contains(&self.source(axis, last)).then_some(last..filled);
-        [range.clone()].into_iter().chain(again).collect()
+        std::iter::once(range.clone()).chain(again).collect()
     }
 }
 

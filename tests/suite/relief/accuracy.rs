@@ -92,7 +92,12 @@ fn a_million_tiles_away_hits_are_the_same() {
             return;
         };
         assert!(here.iter().any(|one| matches!(one.outcome, Outcome::Hit(_))));
-        assert_eq!(here, there, "{method}");
+        // The cell counts from the first tile, all else is the same to the last bit.
+        let brought = there.into_iter().map(|one| match one.outcome {
+            Outcome::Hit(_) => Traced { cell: [one.cell[0] - 256_000_000, one.cell[1] + 256_000_000], ..one },
+            _ => one,
+        });
+        assert_eq!(here, brought.collect::<Vec<_>>(), "{method}");
     }
 }
 

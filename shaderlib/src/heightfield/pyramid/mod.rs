@@ -114,7 +114,7 @@ impl Pyramid {
 /// A quadtree of maxima over any values, the finest level first.
 pub(super) fn maxima(finest: Level<f32>) -> Vec<Level<f32>> {
     let sizes = sizes(finest.size).skip(1);
-    let coarser: Vec<_> = sizes.map(|size| Level::blank(size)).collect();
+    let coarser: Vec<_> = sizes.map(Level::blank).collect();
     let region = finest.whole();
     let mut levels: Vec<_> = std::iter::once(finest).chain(coarser).collect();
     climb::<Max, f32>(&mut levels, region);
