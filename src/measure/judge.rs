@@ -11,9 +11,6 @@ const DEPTH: f64 = 0.05;
 /// Cosine between ray and normal below which a ray grazes: there a step of height is many texels of path.
 const GRAZES: f64 = 0.01;
 
-/// Texels between hits below which nobody asks why.
-const NEAR: f64 = 5e-4;
-
 /// What is wrong with an outcome.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fault {
@@ -80,10 +77,9 @@ impl<'a> Judge<'a> {
         }
     }
 
-    /// Texels between a hit and the true one, where there are both and the ray does not graze the ground; and whether rounding
-    /// decides: the hit is nearer to that of the ray some rounding higher, lower or beside, which then counts.
+    /// Texels between a hit and the true one, where there are both and the ray does not graze the ground.
     #[must_use]
-    pub fn distance(&self, traced: &Traced) -> Option<(f64, bool)> {
+    pub fn distance(&self, traced: &Traced) -> Option<f64> {
         let (Some(hit), Outcome::Hit(t)) = (self.truth, traced.outcome) else { return None };
         let texels = texels_a_step(self.heights);
         let [x, y, z] = self.segment.ray.direction;
@@ -94,19 +90,19 @@ impl<'a> Judge<'a> {
         let normal = [-slopes[0] * texels, -slopes[1] * texels, 1.0];
         let dot: f64 = (0..3).map(|axis| along[axis] * normal[axis]).sum();
         let cosine = dot.abs() / (length(along) * length(normal));
-        let plain = (t - hit.t).abs() * length(along);
-        let rounded = || self.rounded(t).map(|other| (t - other).abs() * length(along)).fold(plain, f64::min);
-        (cosine > GRAZES).then(|| match plain > NEAR {
-            true => (rounded(), rounded() < 0.5 * plain),
-            false => (plain, false),
-        })
+        (cosine > GRAZES).then(|| (t - hit.t).abs() * length(along))
     }
 
-    /// First hits of the ray by as much higher, lower and beside as f32 rounds after its path to t.
-    fn rounded(&self, t: f64) -> impl Iterator<Item = f64> {
-        let (steps, texels) = (step(self.heights) / 64.0, self.lacking(t));
-        let all = [(0.0, steps), (0.0, -steps), (texels, 0.0), (-texels, 0.0)];
-        all.into_iter().filter_map(|(left, up)| self.first_hit(left, up).map(|hit| hit.t))
+    /// Whether rounding decides what the ray meets: as much higher, lower or beside as f32 rounds after its path, it meets the
+    /// ground elsewhere or not at all. Then no place is the right one, but those between.
+    #[must_use]
+    pub fn is_decided_by_rounding(&self) -> bool {
+        let (slack, last) = (self.slack(), self.segment.range.1);
+        let t = |hit: Option<Hit>| hit.map_or(last, |hit| hit.t);
+        let (plain, up) = (t(self.truth), step(self.heights) / 64.0);
+        let beside = self.lacking(plain);
+        let sides = [0.0, beside, -beside].into_iter().flat_map(|left| [0.0, up, -up].map(|up| (left, up)));
+        sides.skip(1).any(|(left, up)| (t(self.first_hit(left, up)) - plain).abs() > slack)
     }
 
     /// Texels that positions in f32 lack at t.

@@ -177,11 +177,10 @@ fn machine_and_device_meet_the_same_ground() {
             };
             // On a border between cells both are right.
             let apart = (0..2).map(|axis| a.cell[axis].abs_diff(b.cell[axis])).max();
-            if !near || apart > Some(1) {
+            if (!near || apart > Some(1)) && !judge.is_decided_by_rounding() {
                 other.push(format!("{} {b:?}", judge.describe(a)));
             }
         }
     }
-    // Both are right by themselves, as the tests above show: a ray may pass so closely that rounding decides.
-    assert!(other.len() * 500 <= count, "{} of {count}: {:#?}", other.len(), &other[..other.len().min(4)]);
+    assert!(other.is_empty(), "{} of {count}: {:#?}", other.len(), &other[..other.len().min(4)]);
 }
