@@ -145,11 +145,7 @@ fn all_patches(mips: &[Mip]) -> Plane {
 /// The map and its mips; one that ends at its border has none.
 fn mips(texels: Vec<u16>, size: [u32; 2], wraps: bool) -> Vec<Mip> {
     let mut mips = vec![Mip { size, texels }];
-    while wraps {
-        let finer = &mips[mips.len() - 1];
-        if finer.size[0].min(finer.size[1]) == 1 {
-            break;
-        }
+    while let Some(finer) = mips.last().filter(|finer| wraps && finer.size[0].min(finer.size[1]) > 1) {
         let coarser = Mip { size: finer.size.map(|side| side / 2), texels: mips::halve(&finer.texels, finer.size) };
         mips.push(coarser);
     }
