@@ -6,6 +6,7 @@ use terrane_codegen::compile::Compiled;
 use terrane_codegen::graph::{FileRole, Project};
 
 use super::{Failure, project};
+use terrane::relief::{bytes, map};
 use terrane::{content, file, scene};
 
 /// Write the WGSL of a terrain or surface, its manifest, and the textures it reads
@@ -13,7 +14,7 @@ use terrane::{content, file, scene};
 #[command(after_help = "Example:\n  terrane build graphs/terrains/alpine.ron -o out
 
 Writes NAME.core.wgsl (functions and structs), NAME.wgsl (the same with plain WebGPU entry points),
-NAME.json (the manifest) and the PNG files that the manifest names.")]
+NAME.json (the manifest), the PNG files that the manifest names, and of each relief its heights and bounds as texels.")]
 pub(crate) struct Build {
     /// A terrain or a surface
     #[arg(value_name = "GRAPH")]
@@ -73,6 +74,18 @@ fn copy_textures(project: &Project, compiled: &Compiled, output: &Path) -> Resul
         let from = project.root().join(&name);
         let bytes = std::fs::read(&from).map_err(|error| Failure::unread(&from, &error))?;
         file::write(&output.join(&name), &bytes)?;
+    }
+    write_reliefs(project, compiled, output)
+}
+
+/// Heights and bounds of every height map that is traced, as the device takes them.
+fn write_reliefs(project: &Project, compiled: &Compiled, output: &Path) -> Result<(), Failure> {
+    let arrays = compiled.manifest.relief.iter().flat_map(|relief| &relief.arrays);
+    for (array, layer) in arrays.flat_map(|array| array.layers.iter().map(move |layer| (array, layer))) {
+        let size = (array.heights.width, array.heights.height);
+        let placed = map(&project.root().join(&layer.file), layer.channel, size, scene::bounds(compiled))?;
+        file::write(&output.join(&layer.heights), &bytes(&placed.heights))?;
+        file::write(&output.join(&layer.bounds), &bytes(&placed.bounds))?;
     }
     Ok(())
 }

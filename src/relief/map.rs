@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use terrane_shaderlib::heightfield::{Border, Heights, Texels};
-use terrane_shaderlib::relief::{Bounds, Placed};
+use terrane_shaderlib::relief::{Bounds, Placed, Plane, Words};
 
 use crate::render::RenderError;
 use crate::render::material::{Samples, open, samples};
@@ -17,6 +17,18 @@ const LIMIT: u32 = 16_384;
 /// [`RenderError::Texture`] for a file that cannot be read or has another size.
 pub fn map(path: &Path, channel: u8, size: (u32, u32), bounds: Bounds) -> Result<Placed, RenderError> {
     read(path, channel, size, bounds).map_err(|reason| RenderError::Texture { path: path.to_owned(), reason })
+}
+
+/// The texels of a plane as a file holds them: little-endian, row by row, mip after mip.
+#[must_use]
+pub fn bytes(plane: &Plane) -> Vec<u8> {
+    match &plane.words {
+        Words::R16(mips) => mips.iter().flatten().flat_map(|texel| texel.to_le_bytes()).collect(),
+        Words::Rg16(mips) => mips.iter().flatten().flatten().flat_map(|part| part.to_le_bytes()).collect(),
+        Words::R32(words) => words.iter().flat_map(|word| word.to_le_bytes()).collect(),
+        Words::Rg32(words) => words.iter().flatten().flat_map(|word| word.to_le_bytes()).collect(),
+        Words::Rgba32(words) => words.iter().flatten().flat_map(|word| word.to_le_bytes()).collect(),
+    }
 }
 
 fn read(path: &Path, channel: u8, size: (u32, u32), bounds: Bounds) -> Result<Placed, String> {

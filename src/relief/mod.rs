@@ -20,7 +20,7 @@ mod tracer;
 pub use build::Built;
 pub use clock::Timing;
 pub use lighting::{LIFT, Lighter, Lighting, Scene, Seen, Turn};
-pub use map::map;
+pub use map::{bytes, map};
 pub use setup::{DeviceRay, Segment, Setup};
 pub use shader::{shader, tiled_shader};
 pub use tracer::{Outcome, Traced, Tracer};

@@ -185,7 +185,7 @@ pub struct ReliefInfo {
     pub arrays: Vec<ReliefArrayInfo>,
 }
 
-/// Height maps of one size in two texture arrays of `r16uint`.
+/// Height maps of one size in two texture arrays of whole numbers.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct ReliefArrayInfo {
     /// The heights, all mips.

@@ -1,5 +1,7 @@
 //! The displaced surface in a manifest.
 
+use terrane_shaderlib::relief::Bounds;
+
 use super::{ReliefArrayInfo, ReliefInfo, ReliefLayerInfo, ReliefTextureInfo};
 use crate::emit::{MATERIAL_GROUP, arguments, relief_binding};
 use crate::patch::Specialization;
@@ -24,11 +26,16 @@ fn array(program: &Program, relief: &ProgramRelief, index: usize) -> ReliefArray
     let array = &relief.arrays[index];
     let (width, height) = array.size;
     let mips = width.min(height).max(1).ilog2() + 1;
-    let texture = |name: String, part: usize, size: [u32; 2], mip_levels: u32| ReliefTextureInfo {
+    let (format, size, levels) = match relief.trace.method.search().bounds() {
+        Bounds::None => ("r16uint", [1, 1], 1),
+        Bounds::Cones(_) => ("rg16uint", [width, height], mips),
+        _ => ("r16uint", [width, 2 * height], 1),
+    };
+    let texture = |name: String, part: usize, format: &str, size: [u32; 2], mip_levels: u32| ReliefTextureInfo {
         name,
         group: MATERIAL_GROUP,
         binding: relief_binding(program, 2 * index + part) as u32,
-        format: "r16uint".into(),
+        format: format.into(),
         dimension: "2d-array".into(),
         sample_type: "uint".into(),
         width: size[0],
@@ -36,8 +43,8 @@ fn array(program: &Program, relief: &ProgramRelief, index: usize) -> ReliefArray
         mip_levels,
     };
     ReliefArrayInfo {
-        heights: texture(array.heights(), 0, [width, height], mips),
-        bounds: texture(array.bounds(), 1, [width, 2 * height], 1),
+        heights: texture(array.heights(), 0, "r16uint", [width, height], mips),
+        bounds: texture(array.bounds(), 1, format, size, levels),
         layers: array.maps.iter().map(|map| layer(program, array, map)).collect(),
     }
 }
@@ -45,6 +52,6 @@ fn array(program: &Program, relief: &ProgramRelief, index: usize) -> ReliefArray
 fn layer(program: &Program, array: &ReliefArray, map: &ReliefMap) -> ReliefLayerInfo {
     let stem = map.file.trim_end_matches(".png").replace('/', "_");
     let (width, height) = array.size;
-    let path = |what: &str| format!("{}.{stem}_{}_{width}x{height}.{what}.r16", program.name, map.channel);
+    let path = |what: &str| format!("{}.{stem}_{}_{width}x{height}.{what}.bin", program.name, map.channel);
     ReliefLayerInfo { file: map.file.clone(), channel: map.channel, heights: path("heights"), bounds: path("bounds") }
 }

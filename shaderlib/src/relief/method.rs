@@ -49,6 +49,12 @@ impl Method {
         exact.contains(&self.bounds())
     }
 
+    /// Whether its textures are sampled ones that a shader can read with the fields of a mip alone, as materials do.
+    #[must_use]
+    pub fn is_sampled(self) -> bool {
+        !matches!(self.bounds(), Bounds::Patches | Bounds::Wide)
+    }
+
     /// What it knows of the map.
     #[must_use]
     pub fn bounds(self) -> Bounds {

@@ -1,6 +1,7 @@
 //! Texture reads.
 
-use naga::{Expression, Handle, ImageClass, ImageDimension, ImageQuery, SampleLevel, ScalarKind, TypeInner};
+use naga::{Expression, Handle, ImageClass, ImageDimension, ImageQuery, SampleLevel, Scalar, ScalarKind};
+use naga::{StorageAccess, TypeInner};
 
 use super::super::program::{Footprint, Instruction, Load, Sample};
 use super::access::registers;
@@ -103,11 +104,16 @@ impl Compiler<'_> {
         Ok(registers(Bank::Int, to))
     }
 
-    /// The scalar kind of a two-dimensional sampled texture, which is the only sort there is here.
+    /// The scalar kind of a two-dimensional texture that is sampled, or a storage texture that is only read.
     fn plane(&self, image: Handle<Expression>) -> Result<ScalarKind> {
         match *self.inner(image) {
             TypeInner::Image { dim: ImageDimension::D2, class: ImageClass::Sampled { kind, multi: false }, .. } => {
                 Ok(kind)
+            }
+            TypeInner::Image { dim: ImageDimension::D2, class: ImageClass::Storage { format, access }, .. }
+                if access == StorageAccess::LOAD =>
+            {
+                Ok(Scalar::from(format).kind)
             }
             ref other => self.unsupported(format!("a texture of type {other:?}")),
         }
