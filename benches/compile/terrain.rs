@@ -38,7 +38,7 @@ pub(crate) fn stages(criterion: &mut Criterion) {
     let mut kept = program.clone();
     let patch = special(&kept);
     kept.keep(&patch.live);
-    let (core_shader, host_shader) = (core(library, &kept, &patch), host(library, &kept, &patch, &HOST));
+    let (core_shader, host_shader) = (core(library, &kept, &patch), host(library, &kept, &patch, &HOST.flat));
     let checked = check(&host_shader, library, &kept).expect("naga accepts the terrain");
     let parts = Parts {
         program: &kept,
@@ -54,7 +54,7 @@ pub(crate) fn stages(criterion: &mut Criterion) {
     group.bench_function("intern", |bench| bench.iter(intern));
     group.bench_function("specialize", |bench| bench.iter(|| special(&program)));
     group.bench_function("emit core", |bench| bench.iter(|| core(library, &kept, &patch)));
-    group.bench_function("emit host", |bench| bench.iter(|| host(library, &kept, &patch, &HOST)));
+    group.bench_function("emit host", |bench| bench.iter(|| host(library, &kept, &patch, &HOST.flat)));
     group.bench_function("check core", |bench| bench.iter(|| check(&core_shader, library, &kept)));
     group.bench_function("check host", |bench| bench.iter(|| check(&host_shader, library, &kept)));
     group.bench_function("manifest", |bench| bench.iter(|| manifest(&parts, sources)));

@@ -11,7 +11,9 @@ fn build(heights: &Heights, cones: Cones) -> ConeMap {
 fn maps() -> impl Iterator<Item = Heights> {
     let all = LANDS.into_iter().flat_map(|land| [[32, 32], [17, 31]].map(|size| (land, size)));
     let bordered = all.flat_map(|one| [(one, Border::Wrap), (one, Border::Clamp)]);
-    bordered.enumerate().map(|(at, ((land, size), border))| map(land, size, border, Depth::Sixteen, at as u64).unwrap())
+    bordered.enumerate().map(|(at, ((land, size), border))| {
+        map(land, size, border, Depth::Sixteen, at as u64).expect("a size that maps have")
+    })
 }
 
 /// A number in 0..1, often on an end.

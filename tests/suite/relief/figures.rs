@@ -69,7 +69,6 @@ fn shadow_and_occlusion() {
     let materials = MAPS
         .iter()
         .map(|map| map.make(SIDE))
-        .into_iter()
         .filter(|subject| ["cracked_rock", "pebbles", "hills", "cracks"].contains(&&*subject.name));
     for subject in materials.chain(mountains()) {
         for elevation in [45.0, 30.0, 15.0] {
