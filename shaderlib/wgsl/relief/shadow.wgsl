@@ -44,7 +44,7 @@ fn shadow_end(field: ReliefField, ray: ReliefRay) -> f32 {
     let border = select(-ray.cell, field.last - ray.cell, ray.direction.xy > vec2f(0.0));
     let moves = abs(ray.direction.xy) > vec2f(RELIEF_LEAST);
     let way = (vec2f(border) - ray.origin.xy) / select(vec2f(1.0), ray.direction.xy, moves);
-    let ends = select(vec2f(ray.end), clamp(way * 0.999999, vec2f(0.0), vec2f(ray.end)), moves & (field.wrap < vec2i(0)));
+    let ends = select(vec2f(ray.end), clamp(way * 0.999998, vec2f(0.0), vec2f(ray.end)), moves & (field.wrap < vec2i(0)));
     return min(ends.x, ends.y);
 }
 

@@ -171,15 +171,19 @@ fn soft_shadows_are_those_of_the_disc() {
     let ends = map(Land::Cracks, [100, 36], Border::Clamp, Depth::Sixteen, 2).expect("a size that maps have");
     let ends = Subject { name: "cracks that end".into(), heights: ends, full: 65535.0 };
     for subject in subjects(128).into_iter().chain([ends]) {
-        // A tip is narrower than the sun: a plane passes it or does not, so there each chord of the reference has its own.
-        let tips = ["needles", "noise"].contains(&subject.name.as_str());
         // The sun; and a light ten times as wide, whose azimuths differ enough to need planes of their own.
-        for (elevation, radius, planes) in [(30.0, 0.27, 1), (15.0, 0.27, 1), (30.0, 3.0, 5)] {
-            let planes = if tips { CHORDS } else { planes };
-            let lighting = Lighting::Cone(planes, 0.0);
-            let (error, partly) = sun_error(&gpu, &subject, Sun::new(34.0, elevation, radius), lighting);
-            assert!(error <= 0.02, "{} at {elevation}: {lighting:?} is off by {error}", subject.name);
+        for (elevation, radius, few) in [(30.0, 0.27, 1), (15.0, 0.27, 1), (30.0, 3.0, 5)] {
+            let off =
+                |planes| sun_error(&gpu, &subject, Sun::new(34.0, elevation, radius), Lighting::Cone(planes, 0.0));
+            // Chord for chord only rounding is left: one false shadow among a thousand points would be 0.03.
+            let (error, partly) = off(CHORDS);
+            assert!(error <= 1e-4, "{} at {elevation}: off by {error} where all chords are the same", subject.name);
             penumbra += partly;
+            // A tip is narrower than the sun: a plane passes it or does not, and says nothing of the other chords.
+            if !["needles", "noise"].contains(&subject.name.as_str()) {
+                let (error, _) = off(few);
+                assert!(error <= 0.02, "{} at {elevation}: {few} planes are off by {error}", subject.name);
+            }
         }
     }
     assert!(penumbra > 500, "only {penumbra} points in a penumbra");
