@@ -40,7 +40,7 @@ pub struct Verdict {
     pub decided: u64,
     /// Texels between the other hits and the true ones, without rays that graze.
     pub distances: Histogram,
-    /// The first faults in words.
+    /// The first faults and hits that are far off, in words.
     pub first: Vec<String>,
 }
 
@@ -52,6 +52,8 @@ const LIMIT: u32 = 1 << 15;
 const BATCH: u64 = 1 << 15;
 /// Texels that nobody asks about.
 const NEAR: f64 = 5e-4;
+/// Texels by which no hit may be off, where rounding does not decide what is met.
+const FAR: f64 = 0.02;
 /// Faults that are told in words.
 const TOLD: usize = 8;
 /// Batches after which `--verbose` says how it stands.
@@ -59,6 +61,8 @@ const TELL: usize = 64;
 
 /// One map and its rays.
 struct Batch {
+    /// What makes the map anew.
+    name: String,
     heights: Heights,
     rays: Vec<Segment>,
 }
@@ -77,11 +81,13 @@ fn batches(attack: &Attack) -> impl Iterator<Item = Batch> {
     let size = attack.rays.div_ceil(all).clamp(AIMS.len() as u64, BATCH);
     let count = attack.rays.div_ceil(size);
     kinds().cycle().take(count as usize).map(move |(land, sides, border, depth)| {
-        let heights = map(land, sides, border, depth, random.bits()).expect("every size is in range");
-        let mut source = Rays::new(&heights, random.bits());
+        let (variant, seed) = (random.bits(), random.bits());
+        let name = format!("{land:?} {sides:?} {border:?} {depth:?}, map {variant:#x}, rays {seed:#x}");
+        let heights = map(land, sides, border, depth, variant).expect("every size is in range");
+        let mut source = Rays::new(&heights, seed);
         let cases = (0..size as usize).map(|index| source.case(AIMS[index % AIMS.len()]));
         let rays = cases.map(|case| Segment { ray: case.ray, range: (0.0, case.end as f64) }).collect();
-        Batch { heights, rays }
+        Batch { name, heights, rays }
     })
 }
 
@@ -139,7 +145,7 @@ fn judge(batch: &Batch, traced: &[Vec<Traced>], before: &[Verdict]) -> Vec<Verdi
     };
     let one = |mut verdicts: Vec<Verdict>, (index, segment): (usize, &Segment)| {
         let judge = Judge::new(&batch.heights, *segment);
-        verdicts.iter_mut().zip(traced).for_each(|(verdict, traced)| verdict.add(&judge, &traced[index]));
+        verdicts.iter_mut().zip(traced).for_each(|(verdict, traced)| verdict.add(&judge, &traced[index], &batch.name));
         verdicts
     };
     let found = batch.rays.par_iter().enumerate().with_min_len(256).fold(none, one).reduce(none, both);
@@ -158,7 +164,7 @@ impl Verdict {
         self.by_fault.iter().sum()
     }
 
-    fn add(&mut self, judge: &Judge<'_>, traced: &Traced) {
+    fn add(&mut self, judge: &Judge<'_>, traced: &Traced, on: &str) {
         self.rays += 1;
         self.hits += u64::from(matches!(traced.outcome, Outcome::Hit(_)));
         if let Some(fault) = judge.fault(traced) {
@@ -167,13 +173,18 @@ impl Verdict {
                 return;
             }
             self.by_fault[fault as usize] += 1;
-            self.tell(&[format!("{}: {fault:?}: {}", self.method, judge.describe(traced))]);
+            self.tell(&[format!("{}: {fault:?}: {}, {on}", self.method, judge.describe(traced))]);
             return;
         }
         match judge.distance(traced) {
             // To ask costs eight more rays.
             Some(distance) if distance > NEAR && judge.is_decided_by_rounding() => self.decided += 1,
-            Some(distance) => self.distances.add(distance),
+            Some(distance) => {
+                self.distances.add(distance);
+                if distance > FAR {
+                    self.tell(&[format!("{}: {distance} texels off: {}, {on}", self.method, judge.describe(traced))]);
+                }
+            }
             None => {}
         }
     }

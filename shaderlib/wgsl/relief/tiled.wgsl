@@ -33,15 +33,17 @@ fn tiled_next(field: ReliefField, whole: ReliefRay, part: TiledPart) -> TiledPar
 /// The part over a tile from t = `start`, where the ray has just crossed the border on the axis of `crossed`.
 fn tiled_part(field: ReliefField, whole: ReliefRay, corner: vec2i, start: f32, crossed: vec2i) -> TiledPart {
     let backward = whole.direction.xy < vec2f(0.0);
-    let border = select(vec2f(0.0), vec2f(field.last), backward);
+    let border = select(vec2i(0), field.last, backward);
     let at = whole.origin + whole.direction * start;
-    let place = select(at.xy - vec2f(corner - whole.cell), border, crossed > vec2i(0));
-    let cell = clamp(vec2i(floor(place)), vec2i(0), field.last - 1i);
+    // Whole cells stay apart from the place in one: beside hundreds of them f32 keeps too little of it.
+    let met = vec2i(floor(at.xy)) + (whole.cell - corner);
+    let cell = clamp(select(met, border, crossed > vec2i(0)), vec2i(0), field.last - 1i);
+    let place = select(at.xy - vec2f(cell + corner - whole.cell), vec2f(border - cell), crossed > vec2i(0));
     let far = vec2f(corner - whole.cell + select(field.last, vec2i(0), backward)) - whole.origin.xy;
     // A border that rounding has put before the entry is crossed at once.
     let leave = max(select(far, -far, backward) / max(abs(whole.direction.xy), vec2f(RELIEF_LEAST)), vec2f(start));
     let end = min(min(leave.x, leave.y), whole.end);
     let step = select(vec2i(0, 1), vec2i(1, 0), leave.x <= leave.y);
-    let origin = vec3f(saturate(place - vec2f(cell)), at.z);
+    let origin = vec3f(saturate(place), at.z);
     return TiledPart(ReliefRay(cell, origin, whole.direction, end - start), start, corner, step);
 }
