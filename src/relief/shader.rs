@@ -56,8 +56,7 @@ fn relief_over_tile(tiles: ReliefField, ray: ReliefRay) -> ReliefHit {
 }
 ";
 
-/// WGSL that traces rays from a buffer by a method: an entry point, and what it needs of the library. It is called in the
-/// entry point itself: Mesa 22.3's llvmpipe mistakes lanes that leave loops early where it is not.
+/// WGSL that traces rays from a texture by a method: an entry point, and what it needs of the library.
 #[must_use]
 pub fn shader(method: Method) -> String {
     with_call(method, &call(method, "relief_field"), "")
@@ -73,7 +72,8 @@ fn call(method: Method, field: &str) -> String {
     method.call("relief_heights", "relief_bounds", field, "ray")
 }
 
-/// WGSL over the textures of a method that calls what makes a `ReliefHit` of `ray`, with what `more` declares and what both need of the library.
+/// WGSL over the textures of a method that calls what makes a `ReliefHit` of `ray`, with what `more` declares and what both
+/// need of the library.
 pub(super) fn with_call(method: Method, call: &str, more: &str) -> String {
     let library =
         Library::load(&mut Sources::default(), &[]).expect("the shipped library is right, which its tests show");

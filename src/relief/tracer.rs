@@ -73,8 +73,7 @@ impl<'a> Tracer<'a> {
     /// # Errors
     /// [`RenderError::Refused`] where the device takes no part of it.
     pub fn new(gpu: &'a Gpu, heights: &'a Heights, placed: &Placed, method: Method) -> Result<Self, RenderError> {
-        let text = if placed.tiled { tiled_shader(method) } else { shader(method) };
-        Self::compiled(gpu, heights, placed, method, &text)
+        Self::compiled(gpu, heights, placed, method, &text(method, placed.tiled))
     }
 
     /// The same for any text with the entry point and the bindings of a method's, over that method's bounds.
@@ -133,8 +132,9 @@ impl<'a> Tracer<'a> {
     /// # Errors
     /// [`RenderError::Refused`] where the device does not take the method.
     pub fn sharing(&self, method: Method) -> Result<Self, RenderError> {
-        let pipeline = self.gpu.checked("relief's pipeline", || pipeline(self.gpu, method, &shader(method)))?;
-        Ok(Self { pipeline, textures: self.textures.clone(), field: self.field.clone(), ..*self })
+        let text = text(method, self.tiled);
+        let pipeline = self.gpu.checked("relief's pipeline", || pipeline(self.gpu, method, &text))?;
+        Ok(Self { method, pipeline, textures: self.textures.clone(), field: self.field.clone(), ..*self })
     }
 
     /// The same with its time taken otherwise; [`Timing::Device`] needs [`Gpu::has_timestamps`].
@@ -218,6 +218,11 @@ impl<'a> Tracer<'a> {
         self.gpu.queue.submit([encoder.finish()]);
         Ok(self.gpu.read(read)?.chunks_exact(size_of::<DeviceHit>()).map(bytemuck::pod_read_unaligned).collect())
     }
+}
+
+/// A method's shader, over a map that is traced whole or tile by tile.
+fn text(method: Method, tiled: bool) -> String {
+    if tiled { tiled_shader(method) } else { shader(method) }
 }
 
 fn traced(setup: &Setup, hit: &DeviceHit) -> Traced {
