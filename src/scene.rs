@@ -15,7 +15,7 @@ use crate::render::{Camera, HeightField, RenderError, RenderScene};
 pub fn files(compiled: &Compiled) -> BTreeSet<String> {
     let layers = compiled.manifest.textures.iter().flat_map(|texture| texture.layers.iter().cloned());
     let reliefs = compiled.manifest.relief.iter().flat_map(|relief| &relief.arrays);
-    let layers = layers.chain(reliefs.flat_map(|array| array.layers.iter().map(|layer| layer.file.clone())));
+    let layers = layers.chain(reliefs.flat_map(|array| array.sources.iter().map(|source| source.file.clone())));
     layers.chain(compiled.manifest.terrain.iter().map(|terrain| terrain.height_map.clone())).collect()
 }
 
@@ -55,7 +55,7 @@ fn map(array: &ReliefArrayInfo, compiled: &Compiled, root: &Path) -> Relief {
         bindings: [array.heights.binding, array.bounds.binding],
         size: (array.heights.width, array.heights.height),
         bounds: bounds(compiled),
-        maps: array.layers.iter().map(|layer| (root.join(&layer.file), layer.channel)).collect(),
+        maps: array.sources.iter().map(|source| (root.join(&source.file), source.channel)).collect(),
     }
 }
 

@@ -11,37 +11,28 @@ macro_rules! host {
     };
 }
 
+/// The files of a terrain of patches, and those behind them.
+macro_rules! terrain {
+    ($($path:literal),*) => {
+        &[
+            host!("wgpu/view.wgsl"),
+            host!("wgpu/frame.wgsl"),
+            host!("wgpu/ground.wgsl"),
+            host!("wgpu/light.wgsl"),
+            host!("wgpu/terrain.wgsl"),
+            $(host!($path)),*
+        ]
+    };
+}
+
 /// Plain WebGPU: a terrain of patches. Entry points `terrain_vertex` and `terrain_fragment`.
-pub const WGPU_TERRAIN: &[SourceFile] = &[
-    host!("wgpu/view.wgsl"),
-    host!("wgpu/frame.wgsl"),
-    host!("wgpu/ground.wgsl"),
-    host!("wgpu/light.wgsl"),
-    host!("wgpu/terrain.wgsl"),
-    host!("wgpu/flat.wgsl"),
-];
+pub const WGPU_TERRAIN: &[SourceFile] = terrain!("wgpu/flat.wgsl");
 
 /// The same for materials with relief. `terrain_fragment` gives depth as a second colour.
-pub const WGPU_TERRAIN_DISPLACED: &[SourceFile] = &[
-    host!("wgpu/view.wgsl"),
-    host!("wgpu/frame.wgsl"),
-    host!("wgpu/ground.wgsl"),
-    host!("wgpu/light.wgsl"),
-    host!("wgpu/terrain.wgsl"),
-    host!("wgpu/traced.wgsl"),
-    host!("wgpu/displaced.wgsl"),
-];
+pub const WGPU_TERRAIN_DISPLACED: &[SourceFile] = terrain!("wgpu/traced.wgsl", "wgpu/displaced.wgsl");
 
 /// The same for looking at the search itself. `terrain_fragment` gives what it cost and how far it went.
-pub const WGPU_TERRAIN_SEARCHED: &[SourceFile] = &[
-    host!("wgpu/view.wgsl"),
-    host!("wgpu/frame.wgsl"),
-    host!("wgpu/ground.wgsl"),
-    host!("wgpu/light.wgsl"),
-    host!("wgpu/terrain.wgsl"),
-    host!("wgpu/traced.wgsl"),
-    host!("wgpu/searched.wgsl"),
-];
+pub const WGPU_TERRAIN_SEARCHED: &[SourceFile] = terrain!("wgpu/traced.wgsl", "wgpu/searched.wgsl");
 
 /// Plain WebGPU: one material on a square and a ball. Entry points `preview_vertex` and `preview_fragment`.
 pub const WGPU_PREVIEW: &[SourceFile] =

@@ -81,11 +81,14 @@ fn copy_textures(project: &Project, compiled: &Compiled, output: &Path) -> Resul
 /// Heights and bounds of every height map that is traced, as the device takes them.
 fn write_reliefs(project: &Project, compiled: &Compiled, output: &Path) -> Result<(), Failure> {
     let arrays = compiled.manifest.relief.iter().flat_map(|relief| &relief.arrays);
-    for (array, layer) in arrays.flat_map(|array| array.layers.iter().map(move |layer| (array, layer))) {
+    for array in arrays {
         let size = (array.heights.width, array.heights.height);
-        let placed = map(&project.root().join(&layer.file), layer.channel, size, scene::bounds(compiled))?;
-        file::write(&output.join(&layer.heights), &bytes(&placed.heights))?;
-        file::write(&output.join(&layer.bounds), &bytes(&placed.bounds))?;
+        let files = array.heights.layers.iter().zip(&array.bounds.layers);
+        for (source, (heights, bounds)) in array.sources.iter().zip(files) {
+            let placed = map(&project.root().join(&source.file), source.channel, size, scene::bounds(compiled))?;
+            file::write(&output.join(heights), &bytes(&placed.heights))?;
+            file::write(&output.join(bounds), &bytes(&placed.bounds))?;
+        }
     }
     Ok(())
 }

@@ -2,6 +2,7 @@
 
 use super::arguments::arguments;
 use super::core::{body, declarations, frame, header, parameters, resources};
+use super::relief::{relief_arguments, relief_member};
 use super::text::Shader;
 use crate::graph::model::ReliefShadow;
 use crate::library::Library;
@@ -71,12 +72,14 @@ fn shade(shader: &mut Shader, program: &Program, patch: &Specialization) {
 /// The displaced ground with its resources.
 fn ground(shader: &mut Shader, program: &Program, patch: &Specialization, part: &ReliefPart) {
     let Some(relief) = &program.relief else { return };
-    let live = part.live();
-    let heights: Vec<String> = relief.arrays.iter().map(|array| format!("{}: heights", array.heights())).collect();
-    let given = arguments(program, &live, &[], &heights);
-    let rest = given.names().skip(1).map(|name| format!("terrane_{name}"));
-    let axes = ["tangent", "bitangent", "pixel"].map(str::to_owned);
-    let all: Vec<String> = std::iter::once(terrain(program, patch)).chain(axes).chain(rest).collect();
+    let given = relief_arguments(program, relief, part);
+    let value = |(index, name): (usize, &str)| match index {
+        0 => terrain(program, patch),
+        // The ground's axes and the width of a pixel come from the host.
+        1..=3 => name.to_owned(),
+        _ => format!("terrane_{name}"),
+    };
+    let all: Vec<String> = given.names().enumerate().map(value).collect();
     let textures: Vec<String> =
         super::relief::textures(relief).iter().map(|(name, _)| format!("terrane_{name}")).collect();
     let textures = textures.join(", ");
@@ -112,7 +115,7 @@ fn ground(shader: &mut Shader, program: &Program, patch: &Specialization, part: 
 /// log2 of the texels in a metre, of the finest map that is there.
 fn texels(patch: &Specialization, program: &Program) -> String {
     let names = patch.layers.iter().map(|layer| &program.layers[*layer]).filter(|layer| layer.relief.is_some());
-    let all = names.map(|layer| format!("displaced_texels(relief.{})", layer.name));
+    let all = names.map(|layer| format!("displaced_texels(relief.{})", relief_member(&layer.name)));
     all.reduce(|all, one| format!("max({all}, {one})")).unwrap_or_default()
 }
 

@@ -11,10 +11,10 @@ mod text;
 
 pub use self::core::core;
 pub(crate) use self::core::frame;
-pub(crate) use arguments::arguments;
 pub use host::{MATERIAL_GROUP, host};
 pub(crate) use host::{array_binding, relief_binding, sampler_binding};
 pub use probe::{Probe, probe};
+pub(crate) use relief::relief_arguments;
 pub use text::{Place, Shader};
 
 /// A layer whose weight is not above this is skipped: the error of any output is below this part of its range, for each

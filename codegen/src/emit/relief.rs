@@ -1,6 +1,6 @@
 //! The displaced surface of a shader's layers: where it lies, and what a ray meets of it.
 
-use super::arguments::arguments;
+use super::arguments::{Arguments, arguments};
 use super::compose::Composer;
 use super::names::{Names, layer_word};
 use super::text::{Place, Shader};
@@ -35,6 +35,20 @@ pub(super) fn relief(shader: &mut Shader, library: &Library, program: &Program, 
     }
 }
 
+/// What `terrane_relief` is given: a place, the ground's axes there, the width of a pixel, what masks and coordinates read, and
+/// the height maps.
+pub(crate) fn relief_arguments(program: &Program, relief: &ProgramRelief, part: &ReliefPart) -> Arguments {
+    let before = ["tangent: vec3f", "bitangent: vec3f", "pixel: f32"];
+    let behind: Vec<String> =
+        relief.arrays.iter().map(|array| format!("{}: texture_2d_array<u32>", array.heights())).collect();
+    arguments(program, &part.live(), &before, &behind)
+}
+
+/// The member of a layer in the structs of relief: its name alone may be that of another member, or a word of WGSL.
+pub(super) fn relief_member(layer: &str) -> String {
+    layer_word(layer, "relief")
+}
+
 /// Names and types of the textures of all height maps.
 pub(crate) fn textures(relief: &ProgramRelief) -> Vec<(String, &'static str)> {
     let names = relief.arrays.iter().flat_map(|array| [array.heights(), array.bounds()]);
@@ -47,13 +61,13 @@ impl Writer<'_> {
         self.patch.layers.iter().map(|layer| &self.program.layers[*layer]).enumerate()
     }
 
-    /// Those that have a relief.
+    /// Names and reliefs of those that have one.
     fn displaced(&self) -> Vec<(String, LayerRelief)> {
         self.layers().filter_map(|(_, layer)| Some((layer.name.clone(), layer.relief?))).collect()
     }
 
     fn structs(&mut self) {
-        let names: Vec<String> = self.displaced().into_iter().map(|(name, _)| name).collect();
+        let names: Vec<String> = self.displaced().iter().map(|(name, _)| relief_member(name)).collect();
         self.shader.line("");
         self.shader.line("/// Coordinates of the height maps.");
         self.shader.open("struct TerrainCoordinates");
@@ -89,10 +103,7 @@ impl Writer<'_> {
     }
 
     fn place(&mut self) {
-        let before = ["tangent: vec3f", "bitangent: vec3f", "pixel: f32"];
-        let behind: Vec<String> =
-            self.relief.arrays.iter().map(|array| format!("{}: texture_2d_array<u32>", array.heights())).collect();
-        let all = arguments(self.program, &self.part.live(), &before, &behind);
+        let all = relief_arguments(self.program, self.relief, self.part);
         self.shader.line("");
         self.shader.line("/// The displaced ground under a place. The two vectors span the ground, with length 1; a pixel is so wide in metres.");
         self.shader.open(&format!("fn terrane_relief({}) -> TerrainRelief", all.declared()));
@@ -153,7 +164,7 @@ impl Writer<'_> {
             (depth, "0.0f".to_owned())
         };
         let map = format!("textureDimensions({heights}), textureNumLevels({heights}), {}i", relief.layer);
-        format!("displaced_layer(coordinates.{name}, {map}, {depth}, {sink}, pixel)")
+        format!("displaced_layer(coordinates.{}, {map}, {depth}, {sink}, pixel)", relief_member(name))
     }
 
     /// The first hit of one layer, between the two mips that fit the pixel.
@@ -198,9 +209,10 @@ impl Writer<'_> {
         self.shader.line(begin);
         for (name, relief) in self.displaced() {
             let array = &self.relief.arrays[relief.array];
-            self.shader.open(&format!("if relief.{name}.depth > 0.0f"));
+            let layer = format!("relief.{}", relief_member(&name));
+            self.shader.open(&format!("if {layer}.depth > 0.0f"));
             let maps = format!("{}, {}", array.heights(), array.bounds());
-            self.shader.line(&each.replace("LAYER", &format!("relief.{name}")).replace("MAPS", &maps));
+            self.shader.line(&each.replace("LAYER", &layer).replace("MAPS", &maps));
             self.shader.close();
         }
         self.shader.line(end);

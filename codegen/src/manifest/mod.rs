@@ -128,7 +128,7 @@ pub struct ParameterInfo {
 /// A texture array.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct TextureInfo {
-    /// Argument of `terrane_surface`; the host's variable has `terrane_` before it.
+    /// Argument of the core's functions; the host's variable has `terrane_` before it.
     pub name: String,
     /// Bind group in the host shader.
     pub group: u32,
@@ -138,15 +138,15 @@ pub struct TextureInfo {
     pub format: String,
     /// `2d-array`.
     pub dimension: String,
-    /// `float`: filterable.
+    /// `float`: filterable; `uint` for those of a relief.
     pub sample_type: String,
     /// Texels.
     pub width: u32,
     /// Texels.
     pub height: u32,
-    /// Levels of the full mip chain, made by the host.
+    /// Levels of the mip chain: the full one, made by the host, or for a relief those of the file.
     pub mip_levels: u32,
-    /// A PNG for each layer.
+    /// A PNG for each layer; for a relief a file of texels: little-endian, row by row, mip after mip.
     pub layers: Vec<String>,
 }
 
@@ -185,51 +185,24 @@ pub struct ReliefInfo {
     pub arrays: Vec<ReliefArrayInfo>,
 }
 
-/// Height maps of one size in two texture arrays of whole numbers.
+/// Height maps of one size in two texture arrays.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct ReliefArrayInfo {
     /// The heights, all mips.
-    pub heights: ReliefTextureInfo,
+    pub heights: TextureInfo,
     /// The bounds over them.
-    pub bounds: ReliefTextureInfo,
-    /// What each layer was made of, and where its texels are.
-    pub layers: Vec<ReliefLayerInfo>,
+    pub bounds: TextureInfo,
+    /// The image that each layer was made of.
+    pub sources: Vec<ReliefSourceInfo>,
 }
 
-/// A texture array of whole numbers.
+/// A channel of an image.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct ReliefTextureInfo {
-    /// Argument of the core's functions; the host's variable has `terrane_` before it.
-    pub name: String,
-    /// Bind group in the host shader.
-    pub group: u32,
-    /// Binding in the host shader.
-    pub binding: u32,
-    /// WebGPU texture format.
-    pub format: String,
-    /// `2d-array`.
-    pub dimension: String,
-    /// `uint`.
-    pub sample_type: String,
-    /// Texels.
-    pub width: u32,
-    /// Texels.
-    pub height: u32,
-    /// Levels of the mip chain.
-    pub mip_levels: u32,
-}
-
-/// A height map.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
-pub struct ReliefLayerInfo {
+pub struct ReliefSourceInfo {
     /// The image, project-relative.
     pub file: String,
     /// Its channel.
     pub channel: u8,
-    /// Texels of the heights beside the manifest: little-endian, row by row, mip after mip.
-    pub heights: String,
-    /// Texels of the bounds, likewise.
-    pub bounds: String,
 }
 
 /// Use of limits.

@@ -20,7 +20,8 @@ pub(crate) fn affine(program: &Program, library: &Library) -> Result<(), Box<Dia
         let Some(relief) = layer.relief else { continue };
         if let Err(bent) = straight(program, relief.uv) {
             let what = program.pool.origins(bent).first().map(|origin| origin.path.clone());
-            let what = what.map_or_else(|| "they are not made of `position`".into(), |path| format!("`{path}` is not"));
+            let what =
+                what.map_or_else(|| "they are not made of `position`".into(), |path| format!("`{path}` bends them"));
             let message = "the coordinates of a relief must be affine in `position`, or rays would bend";
             let known: Vec<String> = AFFINE
                 .iter()
@@ -54,6 +55,10 @@ fn even(program: &Program, id: ValueId) -> Result<(), ValueId> {
     let value = program.pool.get(id);
     match &value.op {
         Op::Frame(_) | Op::Texture(_) => Err(id),
-        _ => value.inputs.iter().try_for_each(|input| even(program, *input)),
+        _ => {
+            // What the author wrote is named, not what it is made of.
+            let named = |found| if program.pool.origins(found).is_empty() { id } else { found };
+            value.inputs.iter().try_for_each(|input| even(program, *input).map_err(named))
+        }
     }
 }

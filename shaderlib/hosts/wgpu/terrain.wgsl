@@ -52,6 +52,8 @@ fn terrain_vertex(@location(0) corner: vec2u, tile: HostPatch) -> HostVertex {
 /// A place of the terrain under a pixel.
 struct HostPlace {
     frame: HostFrame,
+    /// Metres over the whole terrain on x and z, negative where the image is mirrored.
+    extent: vec2f,
     /// Unit vector to the eye.
     to_eye: vec3f,
     /// log2 of the texels of the height map that the pixel covers.
@@ -86,7 +88,7 @@ fn host_place(vertex: HostVertex, ddx: vec3f, ddy: vec3f) -> HostPlace {
         distance,
         host_view.sun,
     );
-    return HostPlace(frame, to_eye / distance, level);
+    return HostPlace(frame, extent, to_eye / distance, level);
 }
 
 /// Light that comes from a place to the eye. `sun` and `open` are the shares of the sun and of the sky that its own relief

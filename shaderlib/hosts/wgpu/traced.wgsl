@@ -42,8 +42,7 @@ fn host_traced(first: HostPlace) -> HostTraced {
     traced.moved = -first.to_eye * traced.hit.distance;
     let along = tangent * traced.point.x + bitangent * traced.point.y;
     traced.place.frame.position.local += along;
-    let extent = vec2f(textureDimensions(host_height)) * host_view.spacing;
-    traced.place.frame.terrain_uv.uv += along.xz / extent;
+    traced.place.frame.terrain_uv.uv += along.xz / first.extent;
     traced.place.frame.height += along.y;
     traced.place.frame.distance += traced.hit.distance;
     return traced;
