@@ -65,7 +65,7 @@ pub(crate) struct Measure {
     #[arg(short, long, value_name = "CSV")]
     output: Option<PathBuf>,
     /// Trace so many rays that are made to make exact methods fail, over as many small maps, and report every fault
-    #[arg(long, value_name = "RAYS", conflicts_with_all = ["heightmap", "output"])]
+    #[arg(long, value_name = "RAYS", conflicts_with_all = ["heightmap", "output", "pyramids"])]
     adversary: Option<u64>,
     /// The device to trace on: its number, or a part of its name
     #[arg(long, value_name = "NAME")]
@@ -77,20 +77,24 @@ pub(crate) struct Measure {
 struct Methods(Vec<Method>);
 
 fn methods(text: &str) -> Result<Methods, String> {
-    let near =
-        |name: &str| Some(format!("there is no method `{name}`; did you mean `{}`?", nearest(name, Method::names())?));
-    Method::list(text).map(Methods).map_err(|error| match &error {
-        MethodError::Unknown(name) => near(name).unwrap_or_else(|| error.to_string()),
-        MethodError::Budget(..) => error.to_string(),
-    })
+    Method::list(text).map(Methods).map_err(|error| said(&error))
 }
 
 /// One method with its budget.
 pub(super) fn method(text: &str) -> Result<Method, String> {
-    match methods(text)?.0[..] {
-        [method] => Ok(method),
-        _ => Err(format!("`{text}` has a budget: write it in brackets")),
-    }
+    text.parse().map_err(|error| said(&error))
+}
+
+/// An error, with the method that was perhaps meant.
+fn said(error: &MethodError) -> String {
+    let near = match error {
+        MethodError::Unknown(name) => nearest(name, Method::names()).map(|near| (name, near)),
+        MethodError::Budget(..) => None,
+    };
+    near.map_or_else(
+        || error.to_string(),
+        |(name, near)| format!("there is no method `{name}`; did you mean `{near}`?"),
+    )
 }
 
 fn number(text: &str, range: std::ops::RangeInclusive<f64>, what: &str) -> Result<f64, String> {

@@ -6,16 +6,17 @@ use wgpu::util::{DeviceExt as _, TextureDataOrder};
 use super::setup::DeviceRay;
 use super::shader::COLUMNS;
 use crate::render::Gpu;
+use crate::render::material::write_layer;
 
 /// Uploads planes of one size and kind, a layer each.
 pub(crate) fn textures(gpu: &Gpu, planes: &[&Plane]) -> wgpu::TextureView {
     let first = planes[0];
-    let (format, mips) = match &first.words {
-        Words::R16(mips) => (wgpu::TextureFormat::R16Uint, mips.len()),
-        Words::Rg16(mips) => (wgpu::TextureFormat::Rg16Uint, mips.len()),
-        Words::R32(_) => (wgpu::TextureFormat::R32Uint, 1),
-        Words::Rg32(_) => (wgpu::TextureFormat::Rg32Uint, 1),
-        Words::Rgba32(_) => (wgpu::TextureFormat::Rgba32Uint, 1),
+    let format = match &first.words {
+        Words::R16(_) => wgpu::TextureFormat::R16Uint,
+        Words::Rg16(_) => wgpu::TextureFormat::Rg16Uint,
+        Words::R32(_) => wgpu::TextureFormat::R32Uint,
+        Words::Rg32(_) => wgpu::TextureFormat::Rg32Uint,
+        Words::Rgba32(_) => wgpu::TextureFormat::Rgba32Uint,
     };
     let usage = match &first.words {
         Words::R16(_) | Words::Rg16(_) | Words::Rgba32(_) => wgpu::TextureUsages::TEXTURE_BINDING,
@@ -25,7 +26,7 @@ pub(crate) fn textures(gpu: &Gpu, planes: &[&Plane]) -> wgpu::TextureView {
     let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
         label: Some("relief"),
         size: wgpu::Extent3d { width, height, depth_or_array_layers: planes.len() as u32 },
-        mip_level_count: mips as u32,
+        mip_level_count: first.mips() as u32,
         sample_count: 1,
         dimension: wgpu::TextureDimension::D2,
         format,
@@ -33,33 +34,20 @@ pub(crate) fn textures(gpu: &Gpu, planes: &[&Plane]) -> wgpu::TextureView {
         view_formats: &[],
     });
     for (layer, plane) in planes.iter().enumerate() {
-        write(gpu, &texture, layer as u32, plane);
+        write_layer(gpu, &texture, layer as u32, &mips(plane));
     }
     let dimension = Some(wgpu::TextureViewDimension::D2Array);
     texture.create_view(&wgpu::TextureViewDescriptor { dimension, ..Default::default() })
 }
 
-fn write(gpu: &Gpu, texture: &wgpu::Texture, layer: u32, plane: &Plane) {
-    let mips: Vec<(&[u8], u32)> = match &plane.words {
-        Words::R16(mips) => mips.iter().map(|mip| (bytemuck::cast_slice(mip), 2)).collect(),
-        Words::Rg16(mips) => mips.iter().map(|mip| (bytemuck::cast_slice(mip), 4)).collect(),
-        Words::R32(words) => vec![(bytemuck::cast_slice(words), 4)],
-        Words::Rg32(words) => vec![(bytemuck::cast_slice(words), 8)],
-        Words::Rgba32(words) => vec![(bytemuck::cast_slice(words), 16)],
-    };
-    for (level, (bytes, texel)) in mips.into_iter().enumerate() {
-        let [width, height] = plane.size.map(|side| (side >> level).max(1));
-        gpu.queue.write_texture(
-            wgpu::TexelCopyTextureInfo {
-                texture,
-                mip_level: level as u32,
-                origin: wgpu::Origin3d { x: 0, y: 0, z: layer },
-                aspect: wgpu::TextureAspect::All,
-            },
-            bytes,
-            wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(width * texel), rows_per_image: Some(height) },
-            wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
-        );
+/// The bytes of every mip.
+fn mips(plane: &Plane) -> Vec<&[u8]> {
+    match &plane.words {
+        Words::R16(mips) => mips.iter().map(|mip| bytemuck::cast_slice(mip)).collect(),
+        Words::Rg16(mips) => mips.iter().map(|mip| bytemuck::cast_slice(mip)).collect(),
+        Words::R32(words) => vec![bytemuck::cast_slice(words)],
+        Words::Rg32(words) => vec![bytemuck::cast_slice(words)],
+        Words::Rgba32(words) => vec![bytemuck::cast_slice(words)],
     }
 }
 

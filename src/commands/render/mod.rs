@@ -72,6 +72,11 @@ impl Render {
         let mut project = project::open(file)?;
         let path = project::relative(&mut project, file)?;
         let picture = match project.role(&path) {
+            Some(FileRole::Surface) if self.relief.is_some() || self.search => {
+                return Err(Failure::Usage(
+                    "--relief and --search are for scenes: a surface alone shows no relief".into(),
+                ));
+            }
             Some(FileRole::Surface) => self.surface(&mut project, &path)?,
             _ => self.scene(&mut project, &path)?,
         };

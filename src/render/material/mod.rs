@@ -8,6 +8,7 @@ pub(crate) use decode::{Samples, open, samples};
 pub use decode::{Texels, decode};
 pub use mips::mip_chain;
 pub(super) use upload::MaterialGroup;
+pub(crate) use upload::write_layer;
 
 use std::path::PathBuf;
 
@@ -33,12 +34,6 @@ fn channels(format: Format) -> usize {
         Format::R8Unorm | Format::R16Float => 1,
         Format::Rgba8UnormSrgb | Format::Rgba8Unorm | Format::Rgba16Float => 4,
     }
-}
-
-/// Bytes of a texel on the device.
-fn texel_bytes(format: Format) -> u32 {
-    let number = if matches!(format, Format::R16Float | Format::Rgba16Float) { 2 } else { 1 };
-    channels(format) as u32 * number
 }
 
 /// Files of one size that lie in one array.

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use rayon::prelude::*;
 use terrane_shaderlib::relief::{Placed, Plane};
 
-use super::{Filter, Material, Relief, Sampling, TextureArray, Wrap, decode, mip_chain, texel_bytes, texture_format};
+use super::{Filter, Material, Relief, Sampling, TextureArray, Wrap, decode, mip_chain, texture_format};
 use crate::relief::map;
 use crate::relief::texture::textures;
 use crate::render::error::Result;
@@ -73,17 +73,19 @@ fn upload(gpu: &Gpu, array: &TextureArray, phase: &Phase) -> Result<wgpu::Textur
             })
             .collect::<Result<_>>()?;
         for (offset, chain) in chains.iter().enumerate() {
-            write_layer(gpu, &texture, array, (base * rayon::current_num_threads() + offset) as u32, chain);
+            write_layer(gpu, &texture, (base * rayon::current_num_threads() + offset) as u32, chain);
         }
     }
     let dimension = Some(wgpu::TextureViewDimension::D2Array);
     Ok(texture.create_view(&wgpu::TextureViewDescriptor { dimension, ..Default::default() }))
 }
 
-fn write_layer(gpu: &Gpu, texture: &wgpu::Texture, array: &TextureArray, layer: u32, chain: &[Vec<u8>]) {
-    let texel = texel_bytes(array.format);
+/// Writes a layer of a texture array, mip after mip, without padding between rows.
+pub(crate) fn write_layer<B: AsRef<[u8]>>(gpu: &Gpu, texture: &wgpu::Texture, layer: u32, chain: &[B]) {
+    // Only depth and video have no size of their own.
+    let texel = texture.format().block_copy_size(None).unwrap_or_default();
     for (level, bytes) in chain.iter().enumerate() {
-        let (width, height) = ((array.size.0 >> level).max(1), (array.size.1 >> level).max(1));
+        let (width, height) = ((texture.width() >> level).max(1), (texture.height() >> level).max(1));
         gpu.queue.write_texture(
             wgpu::TexelCopyTextureInfo {
                 texture,
@@ -91,7 +93,7 @@ fn write_layer(gpu: &Gpu, texture: &wgpu::Texture, array: &TextureArray, layer: 
                 origin: wgpu::Origin3d { x: 0, y: 0, z: layer },
                 aspect: wgpu::TextureAspect::All,
             },
-            bytes,
+            bytes.as_ref(),
             wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(width * texel), rows_per_image: Some(height) },
             wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
         );

@@ -8,7 +8,10 @@ mod figures;
 mod lighting;
 mod machine;
 mod metamorphic;
+mod refused;
 mod scene;
+mod sharing;
+mod tiles;
 
 use terrane::measure::Judge;
 use terrane::relief::{Outcome, Segment, Traced, Tracer, shader, tiled_shader};

@@ -1,0 +1,74 @@
+//! What authors are told of relief that cannot be traced, and names that must not clash.
+
+use std::fs;
+use std::process::Output;
+
+use crate::scratch::Scratch;
+
+const TERRAIN: &str = r#"Terrain(
+    version: 1,
+    height: (file: "textures/yard_height.png", size: (48.0, 48.0), range: (0.0, 1.6)),
+    layers: [(surface: "graphs/surfaces/NAME.ron")],
+    relief: (method: walk, weights: entry, fade: (25.0, 40.0)),
+    shadow: (terrain: off, relief: hard),
+)
+"#;
+
+/// Bricks over coordinates of one's own.
+fn surface(coordinates: &str) -> String {
+    let outputs = r#"albedo: 0.5, normal: tilt, relief: (height: bricks, uv: uv, depth: 0.05)"#;
+    let nodes = r#""tilt": normal_map(texel: (0.5, 0.5, 1.0, 1.0)),"#;
+    let textures = r#""bricks": (file: "textures/bricks_height.png", color: linear, channel: r)"#;
+    format!(
+        "Surface(\n    version: 1,\n    textures: {{ {textures} }},\n    nodes: {{\n{coordinates}        {nodes}\n    }},\n    \
+         outputs: ({outputs}),\n)\n"
+    )
+}
+
+/// Builds a terrain with one surface of this name.
+fn build(name: &str, coordinates: &str) -> (Scratch, Output) {
+    let scratch = Scratch::of(".");
+    let write = |folder: &str, text: &str| {
+        fs::write(scratch.path(&format!("graphs/{folder}/{name}.ron")), text).expect("a writable folder");
+    };
+    write("surfaces", &surface(coordinates));
+    write("terrains", &TERRAIN.replace("NAME", name));
+    let output = scratch.run(&["build", &format!("graphs/terrains/{name}.ron"), "-o", "out", "--no-textures"]);
+    (scratch, output)
+}
+
+const STRAIGHT: &str = "        \"uv\": planar(position: position, tile: 2.0),\n";
+
+#[test]
+fn a_surface_may_have_a_name_that_the_generator_uses_itself() {
+    for name in ["bottom", "deepest", "fade", "ray", "loop"] {
+        let (scratch, output) = build(name, STRAIGHT);
+        assert!(output.status.success(), "{name}: {}", String::from_utf8_lossy(&output.stderr));
+        let core = fs::read_to_string(scratch.path(&format!("out/{name}.core.wgsl"))).expect("it was written");
+        assert!(core.contains(&format!("{name}_relief: ")), "{core}");
+    }
+}
+
+#[test]
+fn coordinates_that_bend_rays_are_refused_where_they_are_made() {
+    let bent = "        \"swirl\": value_noise(position: position, wavelength: 3.0),\n        \
+                \"uv\": rotated(position: position, tile: 2.0, angle: swirl),\n";
+    let (scratch, output) = build("bent", bent);
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert!(!output.status.success() && !scratch.path("out/bent.wgsl").exists(), "{said}");
+    for part in ["error[TG202 relief-coordinates]", "graphs/surfaces/bent.ron:9:", "swirl` bends them", "`planar`"] {
+        assert!(said.contains(part), "{part}: {said}");
+    }
+}
+
+#[test]
+fn a_surface_alone_shows_no_relief_and_says_so() {
+    let scratch = Scratch::of(".");
+    for option in [&["--relief", "walk"][..], &["--search"]] {
+        let arguments = [&["render", "graphs/surfaces/brickwork.ron", "-o", "picture.png"], option].concat();
+        let output = scratch.run(&arguments);
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{said}");
+        assert!(said.contains("for scenes") && !scratch.path("picture.png").exists(), "{said}");
+    }
+}
