@@ -149,7 +149,7 @@ impl Measure {
         let methods = self.plan().methods.into_iter().filter(|method| method.is_exact()).collect();
         let found = attack(&gpu, &Attack { methods, rays, seed: 1 }, Progress::Stderr)?;
         print!("{}", verdicts(&found));
-        for text in found.iter().flat_map(|verdict| &verdict.first) {
+        for text in found.iter().flat_map(|verdict| verdict.first.iter().chain(&verdict.far)) {
             eprintln!("{text}");
         }
         let faults: u64 = found.iter().map(|verdict| verdict.faults()).sum();

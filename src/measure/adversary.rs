@@ -40,8 +40,10 @@ pub struct Verdict {
     pub decided: u64,
     /// Texels between the other hits and the true ones, without rays that graze.
     pub distances: Histogram,
-    /// The first faults and hits that are far off, in words.
+    /// The first faults in words.
     pub first: Vec<String>,
+    /// The first of the other hits that are more than 0.02 texels off, in words.
+    pub far: Vec<String>,
 }
 
 /// Beyond what the adversary's small maps have: long paths.
@@ -54,7 +56,7 @@ const BATCH: u64 = 1 << 15;
 const NEAR: f64 = 5e-4;
 /// Texels by which no hit may be off, where rounding does not decide what is met.
 const FAR: f64 = 0.02;
-/// Faults that are told in words.
+/// Faults, and hits far off, that are told in words.
 const TOLD: usize = 8;
 /// Batches after which `--verbose` says how it stands.
 const TELL: usize = 64;
@@ -155,7 +157,17 @@ fn judge(batch: &Batch, traced: &[Vec<Traced>], before: &[Verdict]) -> Vec<Verdi
 impl Verdict {
     fn new(method: Method) -> Self {
         let distances = Histogram::default();
-        Self { method, rays: 0, hits: 0, by_fault: [0; 4], beside: 0, decided: 0, distances, first: Vec::new() }
+        Self {
+            method,
+            rays: 0,
+            hits: 0,
+            by_fault: [0; 4],
+            beside: 0,
+            decided: 0,
+            distances,
+            first: Vec::new(),
+            far: Vec::new(),
+        }
     }
 
     /// All that is wrong.
@@ -173,7 +185,7 @@ impl Verdict {
                 return;
             }
             self.by_fault[fault as usize] += 1;
-            self.tell(&[format!("{}: {fault:?}: {}, {on}", self.method, judge.describe(traced))]);
+            tell(&mut self.first, &[format!("{}: {fault:?}: {}, {on}", self.method, judge.describe(traced))]);
             return;
         }
         match judge.distance(traced) {
@@ -182,7 +194,8 @@ impl Verdict {
             Some(distance) => {
                 self.distances.add(distance);
                 if distance > FAR {
-                    self.tell(&[format!("{}: {distance} texels off: {}, {on}", self.method, judge.describe(traced))]);
+                    let text = format!("{}: {distance} texels off: {}, {on}", self.method, judge.describe(traced));
+                    tell(&mut self.far, &[text]);
                 }
             }
             None => {}
@@ -196,13 +209,14 @@ impl Verdict {
         self.decided += more.decided;
         self.by_fault.iter_mut().zip(more.by_fault).for_each(|(count, more)| *count += more);
         self.distances.join(&more.distances);
-        self.tell(&more.first);
+        tell(&mut self.first, &more.first);
+        tell(&mut self.far, &more.far);
     }
+}
 
-    fn tell(&mut self, faults: &[String]) {
-        let room = TOLD.saturating_sub(self.first.len());
-        self.first.extend(faults.iter().take(room).cloned());
-    }
+fn tell(told: &mut Vec<String>, more: &[String]) {
+    let room = TOLD.saturating_sub(told.len());
+    told.extend(more.iter().take(room).cloned());
 }
 
 /// The verdicts as a table. Distances are texels.

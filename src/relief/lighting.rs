@@ -17,6 +17,8 @@ use crate::render::{Gpu, RenderError};
 pub enum Lighting {
     /// `shadow_hard.wgsl`: the sun's middle, seen or not.
     Hard,
+    /// `shadow_wide.wgsl`: the same with fewer loads.
+    HardWide,
     /// `shadow_soft_parallax.wgsl`: samples along the ray.
     Parallax(u32),
     /// `shadow_fast_horizon.wgsl` as published: five taps.
@@ -68,7 +70,16 @@ impl Lighting {
     pub fn bounds(self) -> Bounds {
         match self {
             Self::Hard | Self::Cone(..) | Self::Sky(..) => Bounds::CellMax,
+            Self::HardWide => Bounds::Wide,
             Self::Parallax(_) | Self::Published | Self::FastHorizon(_) | Self::FastSky(..) => Bounds::None,
+        }
+    }
+
+    /// The method whose textures it reads.
+    fn method(self) -> Method {
+        match self {
+            Self::HardWide => Method::ShadowWide,
+            _ => Method::ShadowHard,
         }
     }
 
@@ -77,21 +88,17 @@ impl Lighting {
     #[must_use]
     pub fn shader(self, scene: &Scene, lid: f64) -> String {
         let reach = float(scene.reach.min(LONGEST));
-        with_call(
-            Method::ShadowHard,
-            &self.call(scene, lid),
-            &SEEN.replace("LIFT", &float(LIFT)).replace("REACH", &reach),
-        )
+        with_call(self.method(), &self.call(scene, lid), &SEEN.replace("LIFT", &float(LIFT)).replace("REACH", &reach))
     }
 
     fn call(self, scene: &Scene, lid: f64) -> String {
         let (steps, radius, full) = (float(scene.steps), float(scene.sun.radius), float(lid.max(1.0)));
         let soft = format!("relief_field, relief_point(ray), {steps}, {radius}");
         match self {
-            Self::Hard => format!(
-                "relief_lit(shadow_hard_trace(relief_heights, relief_bounds, relief_field, \
-                 shadow_under(relief_point(ray), {full})))"
-            ),
+            Self::Hard | Self::HardWide => {
+                let ray = format!("shadow_under(relief_point(ray), {full})");
+                format!("relief_lit({})", self.method().call("relief_heights", "relief_bounds", "relief_field", &ray))
+            }
             Self::Parallax(samples) => format!(
                 "relief_seen(shadow_soft_parallax_share(relief_heights, relief_field, \
                  shadow_under(relief_point(ray), {full}), {steps}, {radius}, {samples}u))"
@@ -185,7 +192,7 @@ impl<'a> Lighter<'a> {
         scene: Scene,
     ) -> Result<Self, RenderError> {
         let text = lighting.shader(&scene, placed.range[1]);
-        let tracer = Tracer::compiled(gpu, heights, placed, Method::ShadowHard, &text)?;
+        let tracer = Tracer::compiled(gpu, heights, placed, lighting.method(), &text)?;
         Ok(Self { tracer, heights, scene })
     }
 

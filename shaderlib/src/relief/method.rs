@@ -18,6 +18,8 @@ pub enum Method {
     MaximumMipmaps,
     /// `shaderlib/wgsl/relief/shadow_hard.wgsl`: the walk from the finest node up, for rays that leave the ground.
     ShadowHard,
+    /// `shaderlib/wgsl/relief/shadow_wide.wgsl`: the same over the bounds of `Wide`.
+    ShadowWide,
     /// `shaderlib/wgsl/relief/linear.wgsl`: steps, and halvings after them; 0 for one secant step (parallax occlusion mapping).
     Linear(u32, u32),
     /// `shaderlib/wgsl/relief/parallax_offset.wgsl`: a texel is as wide as so many steps are high.
@@ -65,7 +67,7 @@ impl Method {
             | Self::QuadtreeDisplacementRepaired
             | Self::QuadtreeReliefExact => Bounds::CellMax,
             Self::Sprint => Bounds::Patches,
-            Self::Wide => Bounds::Wide,
+            Self::Wide | Self::ShadowWide => Bounds::Wide,
             Self::QuadtreeDisplacement(_) | Self::QuadtreeRelief(_) => Bounds::TexelMax,
             Self::Linear(..) | Self::ParallaxOffset(_) => Bounds::None,
             Self::RobustCone => Bounds::Cones(Cones::Robust),
@@ -93,6 +95,7 @@ impl Method {
             Self::Wide => exact("wide_trace"),
             Self::MaximumMipmaps => exact("maximum_mipmaps_trace"),
             Self::ShadowHard => exact("shadow_hard_trace"),
+            Self::ShadowWide => exact("shadow_wide_trace"),
             Self::RobustCone => exact("robust_cone_trace"),
             Self::ConeStep(steps) => format!("cone_step_trace({heights}, {bounds}, {field}, {ray}, {steps}u)"),
             Self::RelaxedCone(steps, halvings) => {
@@ -120,6 +123,7 @@ impl fmt::Display for Method {
             Self::Wide => to.write_str("wide"),
             Self::MaximumMipmaps => to.write_str("maximum_mipmaps"),
             Self::ShadowHard => to.write_str("shadow_hard"),
+            Self::ShadowWide => to.write_str("shadow_wide"),
             Self::RobustCone => to.write_str("robust_cone"),
             Self::ConeStep(0) => to.write_str("cone_step"),
             Self::ConeStep(steps) => write!(to, "cone_step({steps})"),

@@ -93,13 +93,15 @@ fn relief_corners(heights: texture_2d_array<u32>, field: ReliefField, cell: vec2
 /// How far on a ray meets a patch: the first root in 0..span, or RELIEF_NEVER. `place` is in the cell, z in steps.
 ///
 /// The ray's height less the patch's is a quadratic in t; of the two forms of each root that one is taken which does not
-/// subtract nearly equal numbers.
+/// subtract nearly equal numbers. The patch ends with its cell: continued by no more than what rounding moves a ray, the side of
+/// a wall would stand over its edge.
 fn relief_patch(corners: vec4f, place: vec3f, direction: vec3f, span: f32) -> f32 {
     let along = corners.yz - corners.x;
     let twist = corners.w - corners.y - along.y;
-    let a0 = place.z - (corners.x + along.x * place.x + (along.y + twist * place.x) * place.y);
+    let start = saturate(place.xy);
+    let a0 = place.z - (corners.x + along.x * start.x + (along.y + twist * start.x) * start.y);
     let a1 = direction.z
-        - (dot(along, direction.xy) + twist * (place.x * direction.y + place.y * direction.x));
+        - (dot(along, direction.xy) + twist * (start.x * direction.y + start.y * direction.x));
     let a2 = -twist * direction.x * direction.y;
     let square = a1 * a1 - 4.0 * a2 * a0;
     let root = sqrt(max(square, 0.0));
@@ -107,7 +109,8 @@ fn relief_patch(corners: vec4f, place: vec3f, direction: vec3f, span: f32) -> f3
     let over = select(a1 + root, 2.0 * a0, down);
     let under = select(-2.0 * a2, root - a1, down);
     let t = over / max(under, 1e-20);
-    let met = square >= 0.0 && under > 0.0 && t <= span;
+    let inside = all(abs(start + direction.xy * t - 0.5) <= vec2f(0.5));
+    let met = square >= 0.0 && under > 0.0 && t <= span && inside;
     return select(select(RELIEF_NEVER, t, met), 0.0, a0 <= 0.0);
 }
 

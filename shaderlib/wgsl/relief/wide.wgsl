@@ -2,7 +2,7 @@
 //! dear.
 //!
 //! As in `walk` the state is a whole cell, a level and t, but a level is a step of four, and a node is loaded once for as long as
-//! the ray is among its children. Exact for the same reasons: the cell only grows, or the level goes down; t only grows, by the
+//! the ray is among its children, and is kept while the ray is among those of one of them. Exact for the same reasons: the cell only grows, or the level goes down; t only grows, by the
 //! sides of children that join without a gap; a bound is rounded up to whole units when it is packed, so it is not under the
 //! surface; a child is passed over only where the ray stays RELIEF_PAD above it.
 //! Nodes stand in one strip for all levels and mips: level 1 of the mip begins at `corner.x`, and each coarser level at a
@@ -21,6 +21,14 @@ struct WideState {
     meets: bool,
 }
 
+/// A node as it was loaded.
+struct WideNode {
+    /// Its column, row and level; no node has level 0.
+    place: vec3i,
+    /// The bounds of its children, a row of four bytes to a word.
+    children: vec4u,
+}
+
 /// The first hit of a ray.
 fn wide_trace(
     heights: texture_2d_array<u32>,
@@ -28,21 +36,36 @@ fn wide_trace(
     field: ReliefField,
     ray: ReliefRay,
 ) -> ReliefHit {
+    return wide_from(heights, bounds, field, ray, (walk_entry(ray.end) + 1i) / 2i);
+}
+
+/// The same from a node of this level up.
+fn wide_from(
+    heights: texture_2d_array<u32>,
+    bounds: texture_2d_array<u32>,
+    field: ReliefField,
+    ray: ReliefRay,
+    entry: i32,
+) -> ReliefHit {
     let frame = walk_frame(ray);
-    var state = WideState(frame.base, clamp((walk_entry(ray.end) + 1i) / 2i, 1i, field.top), 0.0, false);
-    var node = vec4u(0u);
-    // Column, row and level of the node that is loaded.
-    var held = vec3i(0i);
+    var state = WideState(frame.base, clamp(entry, 1i, field.top), 0.0, false);
+    var node = WideNode(vec3i(0i), vec4u(0u));
+    // The one that the node was come down from, which the ray may soon be back in.
+    var parent = node;
     var steps = 0u;
     var leaves = 0u;
     while steps < field.limit {
-        let wanted = vec3i(state.cell >> vec2u(u32(2i * state.level)), state.level);
-        if any(wanted != held) {
-            held = wanted;
-            node = wide_node(bounds, field, state.cell ^ frame.mirror, state.level);
+        let place = vec3i(state.cell >> vec2u(u32(2i * state.level)), state.level);
+        if all(place == parent.place) {
+            node = parent;
+        } else if any(place != node.place) {
+            if place.z < node.place.z {
+                parent = node;
+            }
+            node = WideNode(place, wide_node(bounds, field, state.cell ^ frame.mirror, state.level));
             steps++;
         }
-        state = wide_children(field, frame, node, state);
+        state = wide_children(field, frame, node.children, state);
         if state.meets && state.level == 1i {
             leaves++;
             let cell = WalkState(state.cell, 0i, state.t, steps, true, true);

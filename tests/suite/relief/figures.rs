@@ -8,7 +8,7 @@ use terrane::render::Gpu;
 use terrane_codegen::graph::recipe::recipe;
 use terrane_shaderlib::heightfield::visibility::Sun;
 use terrane_shaderlib::heightfield::{Border, Heights, Texels};
-use terrane_shaderlib::relief::{Bounds, Placed};
+use terrane_shaderlib::relief::Placed;
 
 use super::device;
 use super::lighting::{Place, differences, rmse};
@@ -29,7 +29,7 @@ fn mountains() -> Option<Subject> {
 fn shadows() -> Vec<Lighting> {
     let cones = [(1, 0.0), (1, 32.0), (3, 0.0)].map(|(planes, coarse)| Lighting::Cone(planes, coarse));
     let others = [Lighting::Parallax(16), Lighting::Parallax(64), Lighting::Published, Lighting::FastHorizon(8)];
-    [Lighting::Hard].into_iter().chain(cones).chain(others).collect()
+    [Lighting::Hard, Lighting::HardWide].into_iter().chain(cones).chain(others).collect()
 }
 
 fn skies() -> Vec<Lighting> {
@@ -40,9 +40,10 @@ fn skies() -> Vec<Lighting> {
 
 /// One line for each method: loads, time over that of the first, errors.
 fn print(gpu: &Gpu, place: &Place<'_>, points: &[[f64; 2]], truth: &[f64], methods: &[Lighting]) {
-    let placed = Placed::new(place.heights, Bounds::CellMax, 1 << 16).expect("a map that can be placed");
     let mut base = None;
     for method in methods {
+        let bounds = method.bounds();
+        let placed = Placed::new(place.heights, bounds, 1 << 16).expect("a map that can be placed");
         let lighter = Lighter::new(gpu, place.heights, &placed, *method, place.scene).expect("the device takes it");
         let rounds: Vec<_> = (0..6).map(|_| lighter.see(points).expect("the device answers")).collect();
         let time = rounds[1..].iter().map(|round| round.1).min().expect("five rounds").as_secs_f64();

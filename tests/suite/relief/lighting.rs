@@ -7,7 +7,7 @@ use terrane::render::Gpu;
 use terrane_shaderlib::heightfield::adversary::{Depth, LANDS, Land, Random, map};
 use terrane_shaderlib::heightfield::visibility::{Sun, Visibility};
 use terrane_shaderlib::heightfield::{Border, Heights, Ray};
-use terrane_shaderlib::relief::{Bounds, Method, Placed};
+use terrane_shaderlib::relief::{Method, Placed};
 
 use super::{LIMIT, device, fault, lands};
 use crate::skip::Skip;
@@ -115,11 +115,15 @@ fn leaving(heights: &Heights, count: usize, seed: u64) -> Vec<Segment> {
 
 #[test]
 fn hard_shadows_are_exact_where_rays_leave_the_ground() {
+    [Method::ShadowHard, Method::ShadowWide].into_iter().for_each(leaves_the_ground);
+}
+
+fn leaves_the_ground(method: Method) {
     let Some(gpu) = device() else { return };
     let (mut count, mut shadowed, mut faults) = (0, 0, Vec::new());
     for (seed, (heights, _)) in lands(1, 7).enumerate() {
-        let placed = Placed::new(&heights, Bounds::CellMax, LIMIT).expect("filtered before");
-        let tracer = Tracer::new(&gpu, &heights, &placed, Method::ShadowHard).expect("the device takes it");
+        let placed = Placed::new(&heights, method.bounds(), LIMIT).expect("filtered before");
+        let tracer = Tracer::new(&gpu, &heights, &placed, method).expect("the device takes it");
         let sent = leaving(&heights, 400, seed as u64);
         let (traced, _) = tracer.trace(&sent).expect("the device answers");
         count += sent.len();
@@ -128,7 +132,7 @@ fn hard_shadows_are_exact_where_rays_leave_the_ground() {
     }
     assert!(count > 60_000 && shadowed > count / 20 && shadowed < count / 2, "{shadowed} shadows of {count}");
     let first: Vec<&String> = faults.iter().take(8).collect();
-    assert!(faults.is_empty(), "{} of {count} rays\n{first:#?}", faults.len());
+    assert!(faults.is_empty(), "{method}: {} of {count} rays\n{first:#?}", faults.len());
 }
 
 #[test]

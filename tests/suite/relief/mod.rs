@@ -137,6 +137,11 @@ fn the_walk_from_the_finest_node_up_is_exact() {
 }
 
 #[test]
+fn wide_nodes_from_the_finest_up_are_exact() {
+    exact(Method::ShadowWide);
+}
+
+#[test]
 fn linear_search_is_not_and_the_judge_sees_it() {
     let Some((count, faults)) = judge(Method::Linear(64, 0), 96, 1) else { return };
     assert!(faults.len() > count / 20, "{} of {count}", faults.len());
@@ -152,6 +157,7 @@ fn tint_accepts_every_method() {
         Method::Wide,
         Method::MaximumMipmaps,
         Method::ShadowHard,
+        Method::ShadowWide,
         Method::Linear(32, 0),
         Method::Linear(32, 6),
         Method::ParallaxOffset(1280),
