@@ -52,8 +52,6 @@ const LONG: [[u32; 2]; 2] = [[512, 512], [300, 700]];
 const LIMIT: u32 = 1 << 15;
 /// Rays in a batch at most.
 const BATCH: u64 = 1 << 15;
-/// Texels that nobody asks about.
-const NEAR: f64 = 5e-4;
 /// Texels by which no hit may be off, where rounding does not decide what is met.
 const FAR: f64 = 0.02;
 /// Faults, and hits far off, that are told in words.
@@ -189,8 +187,7 @@ impl Verdict {
             return;
         }
         match judge.distance(traced) {
-            // To ask costs eight more rays.
-            Some(distance) if distance > NEAR && judge.is_decided_by_rounding() => self.decided += 1,
+            Some(distance) if judge.is_excused(traced, distance) => self.decided += 1,
             Some(distance) => {
                 self.distances.add(distance);
                 if distance > FAR {

@@ -3,6 +3,7 @@
 use rayon::prelude::*;
 use terrane_shaderlib::heightfield::{Heights, Hit, first_hit};
 
+use super::judge::Judge;
 use super::slope::{angle, facing, normal};
 use crate::relief::{Outcome, Segment, Traced};
 
@@ -17,7 +18,11 @@ pub struct Errors {
     pub unresolved: f64,
     /// Distances from the true hits.
     pub distance: Spread,
-    /// The same of rays that do not graze the surface: |n·d| > 0.01. Where one grazes, a step of height is many texels.
+    /// Right hits that are far from the true ones because rounding decides what the ray meets, per million rays: it passes
+    /// something so closely.
+    pub decided: f64,
+    /// The distances of all other rays that do not graze the surface: |n·d| > 0.01. Where one grazes, a step of height is many
+    /// texels.
     pub facing: Spread,
     /// Angles between the normals at the true hit and at the one found.
     pub normal: Spread,
@@ -40,7 +45,10 @@ pub struct Spread {
 #[derive(Clone, Copy)]
 struct Pair {
     distance: f64,
+    /// Whether the ray does not graze.
     facing: bool,
+    /// Whether rounding decides what it meets.
+    decided: bool,
     angle: f64,
 }
 
@@ -61,19 +69,20 @@ impl Errors {
         truth: &[Option<Hit>],
         traced: &[Traced],
     ) -> Self {
+        let million = |count: usize| count as f64 * 1e6 / rays.len().max(1) as f64;
         let share = |wrong: &dyn Fn(&Option<Hit>, Outcome) -> bool| {
-            let count = truth.iter().zip(traced).filter(|(hit, traced)| wrong(hit, traced.outcome)).count();
-            count as f64 * 1e6 / rays.len().max(1) as f64
+            million(truth.iter().zip(traced).filter(|(hit, traced)| wrong(hit, traced.outcome)).count())
         };
         let all = rays.par_iter().zip(truth).zip(traced);
         let pairs: Vec<Pair> =
             all.filter_map(|((ray, hit), traced)| pair(heights, scale, ray, hit.as_ref()?, traced)).collect();
-        let facing = pairs.iter().filter(|pair| pair.facing);
+        let facing = pairs.iter().filter(|pair| pair.facing && !pair.decided);
         Self {
             missed: share(&|hit, outcome| hit.is_some() && outcome == Outcome::Miss),
             false_hits: share(&|hit, outcome| hit.is_none() && matches!(outcome, Outcome::Hit(_))),
             unresolved: share(&|_, outcome| outcome == Outcome::Unresolved),
             distance: Spread::of(pairs.iter().map(|pair| pair.distance)),
+            decided: million(pairs.iter().filter(|pair| pair.decided).count()),
             facing: Spread::of(facing.map(|pair| pair.distance)),
             normal: Spread::of(pairs.iter().map(|pair| pair.angle)),
         }
@@ -104,9 +113,12 @@ fn pair(heights: &Heights, scale: f64, segment: &Segment, hit: &Hit, traced: &Tr
     let there = normal(heights, scale, hit.cell, hit.uv);
     let [u, v, _] = segment.ray.at(t);
     let (cell, uv) = place([u, v], hit.cell);
+    let distance = (t - hit.t).abs() * x.hypot(y);
+    let facing = facing(there, scale, segment.ray.direction) > GRAZES;
     Some(Pair {
-        distance: (t - hit.t).abs() * x.hypot(y),
-        facing: facing(there, scale, segment.ray.direction) > GRAZES,
+        distance,
+        facing,
+        decided: facing && Judge::knowing(heights, *segment, Some(*hit)).is_excused(traced, distance),
         angle: angle(there, normal(heights, scale, cell, uv)),
     })
 }
@@ -174,5 +186,20 @@ mod tests {
         let far = |hit: Option<Hit>, off: f64| traced(Outcome::Hit(hit.unwrap().t + off));
         let errors = Errors::new(&heights, 0.5, &all, &truth, &[far(truth[0], 0.25), far(truth[1], 3.0)]);
         assert!((errors.facing.max - 0.25).abs() < 1e-9 && (errors.distance.max - 3.0).abs() < 1e-9, "{errors:?}");
+    }
+
+    #[test]
+    fn rays_of_which_rounding_decides_stand_apart() {
+        // A ridge 1000 steps high across x = 4, over flat ground; a ray along x that passes its top by 2^-10 of a step.
+        let texels = (0..64).map(|index| if index % 8 == 4 { 1000 } else { 0 }).collect();
+        let heights = Heights::new([8, 8], Border::Wrap, Texels::U16(texels)).unwrap();
+        let ray = Ray { origin: [0.5, 1.5, 1000.0 + 1.0 / 1024.0], direction: [1.0, 0.0, -1.0 / 4096.0] };
+        let rays = [Segment { ray, range: (0.0, 1000.0) }];
+        let truth = truth(&heights, &rays);
+        assert!(truth[0].unwrap().t > 4.0, "it passes the first ridge");
+        let errors = |t: f64| Errors::new(&heights, 0.01, &rays, &truth, &[traced(Outcome::Hit(t))]);
+        let (first, between) = (errors(3.5), errors(2.0));
+        assert!(first.decided > 0.0 && first.facing.max == 0.0, "{first:?}");
+        assert!(between.decided == 0.0 && between.facing.max > 1.0, "{between:?}");
     }
 }
