@@ -220,7 +220,7 @@ fn tell(told: &mut Vec<String>, more: &[String]) {
 #[must_use]
 pub fn table(verdicts: &[Verdict]) -> String {
     let head = ["rays", "hits", "unresolved", "missed", "early", "late", "beside", "decided", "p99.9", "max"];
-    let mut text = format!("{:24}", "method") + &head.map(|name| format!(" {name:>11}")).concat() + "\n";
+    let mut text = format!("{:32}", "method") + &head.map(|name| format!(" {name:>11}")).concat() + "\n";
     for verdict in verdicts {
         let Verdict {
             method, rays, hits, by_fault: [given_up, missed, early, late], beside, decided, distances, ..
@@ -229,7 +229,7 @@ pub fn table(verdicts: &[Verdict]) -> String {
         let counts = counts.map(|count| format!(" {count:>11}")).concat();
         let errors = [distances.quantile(0.999), distances.max()].map(|error| format!(" {error:>11.1e}")).concat();
         // Writing to a string cannot fail.
-        let _ = writeln!(text, "{:24}{counts}{errors}", method.to_string());
+        let _ = writeln!(text, "{:32}{counts}{errors}", method.to_string());
     }
     text
 }
