@@ -36,7 +36,7 @@ fn wide_trace(
     field: ReliefField,
     ray: ReliefRay,
 ) -> ReliefHit {
-    return wide_from(heights, bounds, field, ray, (walk_entry(ray.end) + 1i) / 2i);
+    return wide_from(heights, bounds, field, ray, walk_entry(ray.end) / 2i);
 }
 
 /// The same from a node of this level up.
