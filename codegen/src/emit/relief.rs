@@ -185,7 +185,7 @@ impl Writer<'_> {
         if let ReliefMethod::Auto { max_error } = self.relief.trace.method {
             let error = Literal::f32(max_error).wgsl();
             self.shader.open(&format!("if displaced_way(fine) <= {error}"));
-            self.shader.line("return displaced_glance(heights, fine_field, fine);");
+            self.shader.line("return displaced_glance(heights, layer, ray);");
             self.shader.close();
         }
         self.shader.line(&format!("let hit = displaced_found(fine, {fine});"));

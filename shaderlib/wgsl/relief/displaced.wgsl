@@ -169,8 +169,8 @@ fn displaced_found(search: DisplacedSearch, hit: ReliefHit) -> DisplacedHit {
     return DisplacedHit(search.start + search.unit * hit.t, hit.steps + hit.leaves, hit.state != RELIEF_UNRESOLVED);
 }
 
-/// A single look at the height under the origin: good enough where the whole way is short.
-fn displaced_glance(heights: texture_2d_array<u32>, field: ReliefField, search: DisplacedSearch) -> DisplacedHit {
+/// A single look at the height of a mip under the origin.
+fn displaced_glance_on(heights: texture_2d_array<u32>, field: ReliefField, search: DisplacedSearch) -> DisplacedHit {
     let corners = relief_corners(heights, field, search.ray.cell, vec2i(0));
     let part = search.ray.origin.xy;
     let height = mix(mix(corners.x, corners.y, part.x), mix(corners.z, corners.w, part.x), part.y);
@@ -192,6 +192,21 @@ fn displaced_coarser(level: f32) -> f32 {
 fn displaced_between(fine: DisplacedHit, coarse: DisplacedHit, part: f32) -> DisplacedHit {
     let distance = mix(fine.distance, coarse.distance, part);
     return DisplacedHit(distance, fine.steps + coarse.steps, fine.done && coarse.done);
+}
+
+/// A single look at the height under the origin, on the mip that fits the pixel or between two: good enough where the whole way is
+/// short.
+fn displaced_glance(heights: texture_2d_array<u32>, layer: DisplacedLayer, ray: DisplacedRay) -> DisplacedHit {
+    let size = textureDimensions(heights);
+    let mip = i32(layer.level);
+    let fine = displaced_glance_on(heights, displaced_field(size, layer, mip), displaced_search(layer, ray, mip));
+    let part = displaced_coarser(layer.level);
+    if part == 0.0 {
+        return fine;
+    }
+    let search = displaced_search(layer, ray, mip + 1i);
+    let coarse = displaced_glance_on(heights, displaced_field(size, layer, mip + 1i), search);
+    return displaced_between(fine, coarse, part);
 }
 
 /// The nearer of two hits.

@@ -1,4 +1,7 @@
 //! What the relief around a place leaves of the sun and of the sky. Not a node.
+//!
+//! What meets a ray is on one mip or between two, and so is what lies in its light: with the finer mip alone, a surface that is
+//! nearly the coarser one would lie in the shadow of bumps that it does not have, until the next level lights it at once.
 //! Source: Terrane; shadow rays on the displaced surface after Drobot, "Quadtree Displacement Mapping with Height Blending", GPU Pro 1, 2010, section 1.5.
 
 /// A ray over a layer's map from a point on or over the displaced ground, and what its slope means.
@@ -14,14 +17,14 @@ struct DisplacedLightRay {
 /// Steps by which a ray starts over the ground, which is in its own shadow.
 const DISPLACED_LIGHT_LIFT: f32 = 2.0;
 
-/// From a point towards a light, in the frame of the place; the light stands over the ground.
+/// From a point towards a light over a mip, in the frame of the place; the light stands over the ground.
 fn displaced_light_ray(
     layer: DisplacedLayer,
     point: vec3f,
     light: vec3f,
+    mip: i32,
     heights: texture_2d_array<u32>,
 ) -> DisplacedLightRay {
-    let mip = i32(layer.level);
     let field = displaced_field(textureDimensions(heights), layer, mip);
     let steps = DISPLACED_STEPS / layer.depth;
     let side = f32(1i << u32(mip));
@@ -45,14 +48,31 @@ fn displaced_light_height(heights: texture_2d_array<u32>, field: ReliefField, st
     return mix(mix(corners.x, corners.y, start.place.x), mix(corners.z, corners.w, start.place.x), start.place.y);
 }
 
-/// 1 where the middle of the sun is seen, else 0.
+/// 1 where the middle of the sun is seen, else 0; between two mips, between what they say.
 fn displaced_light_hard(
     layer: DisplacedLayer,
     ray: DisplacedRay,
     heights: texture_2d_array<u32>,
     bounds: texture_2d_array<u32>,
 ) -> f32 {
-    let sight = displaced_light_ray(layer, ray.origin, ray.direction, heights);
+    let mip = i32(layer.level);
+    let fine = displaced_light_hard_on(layer, ray, mip, heights, bounds);
+    let part = displaced_coarser(layer.level);
+    if part == 0.0 {
+        return fine;
+    }
+    return mix(fine, displaced_light_hard_on(layer, ray, mip + 1i, heights, bounds), part);
+}
+
+/// The same on one mip.
+fn displaced_light_hard_on(
+    layer: DisplacedLayer,
+    ray: DisplacedRay,
+    mip: i32,
+    heights: texture_2d_array<u32>,
+    bounds: texture_2d_array<u32>,
+) -> f32 {
+    let sight = displaced_light_ray(layer, ray.origin, ray.direction, mip, heights);
     let hit = shadow_hard_trace(heights, bounds, sight.field, sight.ray);
     return select(1.0, 0.0, hit.state == RELIEF_HIT);
 }
@@ -65,7 +85,25 @@ fn displaced_light_disc(
     heights: texture_2d_array<u32>,
     bounds: texture_2d_array<u32>,
 ) -> f32 {
-    let sight = displaced_light_ray(layer, ray.origin, ray.direction, heights);
+    let mip = i32(layer.level);
+    let fine = displaced_light_disc_on(layer, ray, radius, mip, heights, bounds);
+    let part = displaced_coarser(layer.level);
+    if part == 0.0 {
+        return fine;
+    }
+    return mix(fine, displaced_light_disc_on(layer, ray, radius, mip + 1i, heights, bounds), part);
+}
+
+/// The same on one mip.
+fn displaced_light_disc_on(
+    layer: DisplacedLayer,
+    ray: DisplacedRay,
+    radius: f32,
+    mip: i32,
+    heights: texture_2d_array<u32>,
+    bounds: texture_2d_array<u32>,
+) -> f32 {
+    let sight = displaced_light_ray(layer, ray.origin, ray.direction, mip, heights);
     let sent = ReliefRay(sight.ray.cell, sight.ray.origin, sight.ray.direction, DISPLACED_LONGEST);
     let seen = shadow_cone_share(heights, bounds, sight.field, sent, sight.steps, radius, DISPLACED_STEPS, 1u, 1.0);
     return seen.share;
@@ -83,7 +121,27 @@ fn displaced_light_sky(
     heights: texture_2d_array<u32>,
     bounds: texture_2d_array<u32>,
 ) -> f32 {
-    let sight = displaced_light_ray(layer, point, vec3f(1.0, 0.0, 1.0), heights);
+    let mip = i32(layer.level);
+    let fine = displaced_light_sky_on(layer, point, normal, turn, directions, mip, heights, bounds);
+    let part = displaced_coarser(layer.level);
+    if part == 0.0 {
+        return fine;
+    }
+    return mix(fine, displaced_light_sky_on(layer, point, normal, turn, directions, mip + 1i, heights, bounds), part);
+}
+
+/// The same on one mip.
+fn displaced_light_sky_on(
+    layer: DisplacedLayer,
+    point: vec3f,
+    normal: vec3f,
+    turn: f32,
+    directions: u32,
+    mip: i32,
+    heights: texture_2d_array<u32>,
+    bounds: texture_2d_array<u32>,
+) -> f32 {
+    let sight = displaced_light_ray(layer, point, vec3f(1.0, 0.0, 1.0), mip, heights);
     let side = f32(1i << u32(sight.field.mip));
     let area = abs(layer.along_x.x * layer.along_y.y - layer.along_x.y * layer.along_y.x);
     let texel = side * inverseSqrt(max(area, 1e-12));
