@@ -1,0 +1,192 @@
+//! A flat plain whose ground is one relief, seen from any place.
+
+use std::fs;
+use std::path::Path;
+
+use glam::DVec3;
+use tempfile::TempDir;
+use terrane::render::material::Material;
+use terrane::render::{
+    Camera, Gpu, HeightField, Progress, RenderScene, Rendered, Searched, View, render_with_depth, search_scene,
+};
+use terrane::scene::material;
+use terrane_codegen::compile::{Compiled, Compiler};
+use terrane_codegen::diagnostic::render;
+use terrane_codegen::graph::Project;
+use terrane_codegen::program::Options;
+use terrane_shaderlib::heightfield::adversary::Random;
+use terrane_shaderlib::heightfield::{Border, Heights, Texels};
+use terrane_shaderlib::hosts::{self, Host};
+
+/// Metres on a side of the plain.
+const SIDE: f64 = 256.0;
+
+/// The middle of the plain.
+pub(super) const MIDDLE: DVec3 = DVec3::new(SIDE / 2.0, 0.0, SIDE / 2.0);
+
+/// Metres of one tile of the relief, of its depth, and from the eye to where it begins to fade and where it is gone.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Shape {
+    pub(super) tile: f64,
+    pub(super) depth: f64,
+    pub(super) fade: (f64, f64),
+}
+
+/// A map that is as rough at every scale: blocks of 1 to 16 texels, each kind with a fifth of the height.
+pub(super) fn rough(side: u32) -> Heights {
+    let mut random = Random::new(5);
+    let blocks = [1, 2, 4, 8, 16];
+    let drawn = blocks.map(|_| (0..side * side).map(|_| random.between(0, 13_107) as u16).collect::<Vec<_>>());
+    let height = |x: u32, y: u32| {
+        let layers = blocks.iter().zip(&drawn);
+        layers.map(|(block, drawn)| drawn[(y / block * side + x / block) as usize]).sum()
+    };
+    let texels = (0..side * side).map(|at| height(at % side, at / side)).collect();
+    Heights::new([side; 2], Border::Wrap, Texels::U16(texels)).expect("a map")
+}
+
+/// Pixels across and down.
+pub(super) const IMAGE: [u32; 2] = [64, 128];
+
+/// Deep stones, 32 texels to a metre where the map has 64.
+pub(super) const SHAPE: Shape = Shape { tile: 2.0, depth: 0.25, fade: (20.0, 36.0) };
+
+/// What a pixel looks at.
+pub(super) struct Sight {
+    /// Its ray, of length 1.
+    pub(super) ray: DVec3,
+    /// Metres to the ground.
+    pub(super) ground: f64,
+    /// log2 of the texels that it is wide there.
+    pub(super) level: f64,
+}
+
+/// All pixels, row by row, over a map of 64 texels.
+pub(super) fn sights(view: &View) -> Vec<Sight> {
+    let [width, height] = IMAGE.map(f64::from);
+    let sight = |index: u32| {
+        let [x, y] = [index % IMAGE[0], index / IMAGE[0]].map(|at| f64::from(at) + 0.5);
+        let ray = view.ray(x / width, y / height);
+        let ground = view.eye.y / -ray.y;
+        let pixel = 2.0 * view.half[0] / width * ground;
+        Sight { ray, ground, level: (pixel * 64.0 / SHAPE.tile).log2() }
+    };
+    (0..IMAGE[0] * IMAGE[1]).map(sight).collect()
+}
+
+/// The plain's project and its shaders.
+pub(super) struct Plain {
+    folder: TempDir,
+    lit: Compiled,
+    searched: Compiled,
+    field: HeightField,
+}
+
+impl Plain {
+    /// A relief of 16 bits, which tiles.
+    pub(super) fn new(heights: &Heights, shape: Shape) -> Self {
+        let folder = tempfile::tempdir().expect("a writable temporary folder");
+        for inside in ["graphs/surfaces", "graphs/terrains"] {
+            fs::create_dir_all(folder.path().join(inside)).expect("a new folder");
+        }
+        let write = |path: &str, text: String| fs::write(folder.path().join(path), text).expect("a writable folder");
+        write("terrane.ron", "Project(version: 1)\n".into());
+        write("graphs/surfaces/relief.ron", surface(shape));
+        write("graphs/terrains/plain.ron", terrain(shape));
+        grey(&folder.path().join("relief.png"), heights.size(), &texels(heights));
+        grey(&folder.path().join("plain.png"), [4; 2], &[0; 16]);
+        let [lit, searched] = [hosts::terrain(), hosts::searched()].map(|host| compile(&folder, &host));
+        let field = HeightField::new([4; 2], [SIDE / 4.0; 2], vec![0.0; 16]).expect("a flat map");
+        Self { folder, lit, searched, field }
+    }
+
+    /// The same with another text in place of one of its shader's.
+    pub(super) fn replaced(mut self, from: &str, to: &str) -> Self {
+        assert_eq!(self.lit.host.text.matches(from).count(), 1, "`{from}` is not what the shader says");
+        self.lit.host.text = self.lit.host.text.replace(from, to);
+        self
+    }
+
+    /// What is seen, and how far it is away.
+    pub(super) fn render(&self, gpu: &Gpu, camera: Camera) -> Rendered {
+        let material = material(&self.lit, self.folder.path());
+        render_with_depth(gpu, &self.scene(camera, &self.lit, &material), Progress::Hidden).expect("it can be drawn")
+    }
+
+    /// What the search finds.
+    pub(super) fn search(&self, gpu: &Gpu, camera: Camera) -> Searched {
+        let material = material(&self.searched, self.folder.path());
+        search_scene(gpu, &self.scene(camera, &self.searched, &material), Progress::Hidden).expect("it can be drawn")
+    }
+
+    fn scene<'a>(&'a self, camera: Camera, compiled: &'a Compiled, material: &'a Material) -> RenderScene<'a> {
+        RenderScene {
+            shader: &compiled.host.text,
+            material,
+            field: &self.field,
+            shadow: false,
+            occlusion: 0,
+            surroundings: false,
+            camera,
+            sun: [250.0, 35.0],
+            turbidity: 3.0,
+            exposure: 0.0,
+            image: IMAGE,
+            supersampling: 1,
+            tolerance: 1.0,
+        }
+    }
+}
+
+/// The map as the device has it.
+fn texels(heights: &Heights) -> Vec<u16> {
+    let Texels::U16(texels) = heights.texels() else { panic!("maps of these tests have 16 bits") };
+    texels.clone()
+}
+
+/// Writes a PNG of 16 bits.
+fn grey(path: &Path, [width, height]: [u32; 2], texels: &[u16]) {
+    let mut encoder = png::Encoder::new(fs::File::create(path).expect("a writable folder"), width, height);
+    encoder.set_color(png::ColorType::Grayscale);
+    encoder.set_depth(png::BitDepth::Sixteen);
+    let bytes: Vec<u8> = texels.iter().flat_map(|texel| texel.to_be_bytes()).collect();
+    encoder.write_header().and_then(|mut to| to.write_image_data(&bytes)).expect("a writable folder");
+}
+
+fn surface(shape: Shape) -> String {
+    format!(
+        r#"Surface(
+    version: 1,
+    doc: "A relief.",
+    textures: {{ "relief": (file: "relief.png", color: linear, channel: r) }},
+    nodes: {{ "uv": planar(position: position, tile: {:?}) }},
+    outputs: (albedo: (0.4, 0.4, 0.4), relief: (height: relief, uv: uv, depth: {:?})),
+)
+"#,
+        shape.tile, shape.depth
+    )
+}
+
+fn terrain(shape: Shape) -> String {
+    format!(
+        r#"Terrain(
+    version: 1,
+    height: (file: "plain.png", size: ({SIDE:?}, {SIDE:?}), range: (0.0, 1.0)),
+    layers: [(surface: "graphs/surfaces/relief.ron")],
+    relief: (method: auto(max_error: 0.5), fade: {:?}),
+    shadow: (terrain: off, relief: cone),
+    occlusion: (terrain: off, relief: directions(4)),
+)
+"#,
+        shape.fade
+    )
+}
+
+fn compile(folder: &TempDir, host: &Host) -> Compiled {
+    let mut project = Project::open(folder.path()).unwrap_or_else(|error| panic!("{:?}", error.diagnostics));
+    let answer = project.terrain("graphs/terrains/plain.ron");
+    let (graphs, terrain, _) = answer.unwrap_or_else(|found| panic!("{}", render(&found, &project.sources, false)));
+    let (library, sources) = (&project.library, &project.sources);
+    let compiled = Compiler { library, sources, host, options: Options::default() }.terrain(&graphs, &terrain);
+    compiled.unwrap_or_else(|found| panic!("{}", render(&found, &project.sources, false)))
+}
