@@ -109,7 +109,7 @@ impl<'a> Judge<'a> {
         let (Some(hit), Outcome::Hit(t)) = (self.truth, traced.outcome) else { return false };
         let far = distance > NEAR && self.fault(traced).is_none();
         far && {
-            let (moved, slack) = (self.moved_by_rounding(), self.slack());
+            let (moved, slack) = (self.moved_by_rounding(t), self.slack());
             moved > slack && (t - hit.t).abs() <= moved + slack
         }
     }
@@ -117,15 +117,15 @@ impl<'a> Judge<'a> {
     /// Whether rounding decides what the ray meets. Then no place is the right one, but those between.
     #[must_use]
     pub fn is_decided_by_rounding(&self) -> bool {
-        self.moved_by_rounding() > self.slack()
+        self.moved_by_rounding(self.segment.range.0) > self.slack()
     }
 
-    /// How much t of the first hit changes at most where the ray runs as much higher, lower or beside as f32 rounds after its
-    /// path: it may meet the ground elsewhere, or not at all.
-    fn moved_by_rounding(&self) -> f64 {
+    /// How much t of the first hit changes at most where the ray runs as much higher, lower or beside as f32 rounds after its path
+    /// to the hit or to t = `found`, if that is later: it may meet the ground elsewhere, or not at all.
+    fn moved_by_rounding(&self, found: f64) -> f64 {
         let (last, up) = (self.segment.range.1, step(self.heights) / 64.0);
         let plain = self.truth.map_or(last, |hit| hit.t);
-        let beside = self.lacking(plain);
+        let beside = self.lacking(plain.max(found));
         let sides = [0.0, beside, -beside].into_iter().flat_map(|left| [0.0, up, -up].map(|up| (left, up)));
         let hits = sides.skip(1).map(|(left, up)| self.first_hit(left, up).map_or(last, |hit| hit.t));
         hits.map(|t| (t - plain).abs()).fold(0.0, f64::max)

@@ -12,6 +12,7 @@ mod plain;
 mod pops;
 mod refused;
 mod rendered;
+mod rounding;
 mod scene;
 mod sharing;
 mod tiles;

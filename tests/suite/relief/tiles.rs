@@ -1,7 +1,6 @@
 //! Maps that wrap though their sides are no powers of two.
 
-use terrane::measure::Judge;
-use terrane::relief::{Outcome, Traced, Tracer};
+use terrane::relief::Tracer;
 use terrane_shaderlib::heightfield::adversary::{Depth, Land, map};
 use terrane_shaderlib::heightfield::{Border, Ray};
 use terrane_shaderlib::relief::{Method, Placed};
@@ -25,31 +24,5 @@ fn a_start_hundreds_of_cells_into_a_tile_keeps_its_place_in_the_cell() {
         let tracer = Tracer::new(&gpu, &heights, &placed, method).expect("the device takes it");
         let (traced, _) = tracer.trace(&[TOUCHES]).expect("the device answers");
         assert_eq!(fault(&heights, &TOUCHES, &traced[0]), None, "{method}");
-    }
-}
-
-/// A ray that keeps near the saddles of 1,920 cells and so meets none of their corners. A third is no f32: at its end it runs
-/// 2e-5 texels beside itself, on a slope of the whole height in a texel.
-const BETWEEN: Segment = Segment {
-    ray: Ray {
-        origin: [118.199_218_75, 683.933_593_75, 60_335.269_531_25],
-        direction: [0.105_468_75, -0.035_156_25, -0.914_062_5],
-    },
-    range: (0.0, 19_094.0),
-};
-
-#[test]
-fn after_two_thousand_cells_a_hit_is_that_of_a_ray_beside() {
-    let Some(gpu) = device() else { return };
-    let size = [300, 700];
-    let heights = map(Land::Checkerboard, size, Border::Wrap, Depth::Sixteen, 0x0730_e504_d126_97b9).expect("a size");
-    let judge = Judge::new(&heights, BETWEEN);
-    for method in [Method::Walk, Method::Sprint, Method::Wide] {
-        let placed = Placed::new(&heights, method.bounds(), LIMIT).expect("whole steps can be placed");
-        let tracer = Tracer::new(&gpu, &heights, &placed, method).expect("the device takes it");
-        let (traced, _) = tracer.trace(&[BETWEEN]).expect("the device answers");
-        assert!(judge.is_beside(&traced[0]), "{method}: {}", judge.describe(&traced[0]));
-        // But no ray beside it is stopped before it has gone a cell.
-        assert!(!judge.is_beside(&Traced { outcome: Outcome::Hit(1.0), ..traced[0] }));
     }
 }
