@@ -20,7 +20,7 @@ pub struct Field {
     pub layer: i32,
     /// Where the first patch of the mip stands in an image of patches.
     pub patches: [i32; 2],
-    /// log2 of the steps of height to a step of a coarse bound.
+    /// log2 of the steps of height to a step of a wide node's base.
     pub unit: i32,
 }
 

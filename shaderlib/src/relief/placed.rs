@@ -241,7 +241,7 @@ fn wide(mips: &[Mip], fields: &mut [Field]) -> Plane {
     for ((field, pyramid), (first, mip)) in fields.iter_mut().zip(&pyramids).zip(firsts.iter().zip(mips)) {
         field.corner = [*first as i32, mip.size[0].max(CHILDREN).ilog2() as i32];
         field.top = pyramid.levels.len() as i32;
-        field.unit = pyramid.shift as i32;
+        field.unit = pyramid.unit as i32;
     }
     let image = strip::image(&pyramids, &firsts);
     let size = [strip::COLUMNS as u32, (image.len() / strip::COLUMNS) as u32];

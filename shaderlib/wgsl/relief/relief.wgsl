@@ -23,7 +23,7 @@ struct ReliefField {
     layer: i32,
     /// Where the mip's first patch stands in an image of patches.
     patches: vec2i,
-    /// log2 of the steps of height to a step of a coarse bound.
+    /// log2 of the steps of height to a step of a wide node's base.
     unit: i32,
 }
 

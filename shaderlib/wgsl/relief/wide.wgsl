@@ -2,9 +2,9 @@
 //! dear.
 //!
 //! As in `walk` the state is a whole cell, a level and t, but a level is a step of four, and a node is loaded once for as long as
-//! the ray is among its children, and is kept while the ray is among those of one of them. Exact for the same reasons: the cell only grows, or the level goes down; t only grows, by the
-//! sides of children that join without a gap; a bound is rounded up to whole units when it is packed, so it is not under the
-//! surface; a child is passed over only where the ray stays RELIEF_PAD above it.
+//! the ray is among its children, and is kept while the ray is among those of one of them. Exact for the same reasons: the cell
+//! only grows, or the level goes down; t only grows, by the sides of children that join without a gap; a bound is rounded up when
+//! it is packed, so it is not under the surface; a child is passed over only where the ray stays RELIEF_PAD above it.
 //! Nodes stand in one strip for all levels and mips: level 1 of the mip begins at `corner.x`, and each coarser level at a
 //! sixteenth of the place of the finer, as it has a sixteenth of the nodes. The strip is broken into rows of 1024.
 //! Source: Terrane; the walk after Tevs, Ihrke and Seidel, "Maximum Mipmaps for Fast, Accurate, and Scalable Dynamic Height Field Rendering", I3D 2008.
@@ -25,7 +25,11 @@ struct WideState {
 struct WideNode {
     /// Its column, row and level; no node has level 0.
     place: vec3i,
-    /// The bounds of its children, a row of four bytes to a word.
+    /// Steps that all bounds of its children have in common.
+    base: i32,
+    /// log2 of the steps of height to a step of what they have besides.
+    shift: u32,
+    /// That, seven bits of each byte, a row of four to a word.
     children: vec4u,
 }
 
@@ -49,7 +53,7 @@ fn wide_from(
 ) -> ReliefHit {
     let frame = walk_frame(ray);
     var state = WideState(frame.base, clamp(entry, 1i, field.top), 0.0, false);
-    var node = WideNode(vec3i(0i), vec4u(0u));
+    var node = WideNode(vec3i(0i), 0i, 0u, vec4u(0u));
     // The one that the node was come down from, which the ray may soon be back in.
     var parent = node;
     var steps = 0u;
@@ -62,10 +66,10 @@ fn wide_from(
             if place.z < node.place.z {
                 parent = node;
             }
-            node = WideNode(place, wide_node(bounds, field, state.cell ^ frame.mirror, state.level));
+            node = wide_node(bounds, field, state.cell ^ frame.mirror, place);
             steps++;
         }
-        state = wide_children(field, frame, node.children, state);
+        state = wide_children(frame, node, state);
         if state.meets && state.level == 1i {
             leaves++;
             let cell = WalkState(state.cell, 0i, state.t, steps, true, true);
@@ -85,7 +89,7 @@ fn wide_from(
 }
 
 /// From child to child of a node until one may be hit, or the node or the ray's end is left behind.
-fn wide_children(field: ReliefField, frame: WalkFrame, node: vec4u, start: WideState) -> WideState {
+fn wide_children(frame: WalkFrame, node: WideNode, start: WideState) -> WideState {
     let scale = u32(2i * start.level - 2i);
     let inner = vec2i((1i << scale) - 1i);
     var state = start;
@@ -94,7 +98,7 @@ fn wide_children(field: ReliefField, frame: WalkFrame, node: vec4u, start: WideS
         let reach = walk_reach(frame, last);
         let along_x = reach.x <= reach.y;
         let leave = select(reach.y, reach.x, along_x);
-        let highest = wide_bound(node, (state.cell ^ frame.mirror) >> vec2u(scale), field.unit);
+        let highest = wide_bound(node, (state.cell ^ frame.mirror) >> vec2u(scale));
         let bound = (frame.lid - highest) * frame.slowness;
         let clear = select(-state.t, leave, frame.falls) < bound;
         let on = select(bound, leave, clear);
@@ -117,18 +121,23 @@ fn wide_moved(field: ReliefField, state: WideState, past: WalkState) -> WideStat
     return WideState(past.cell, level, past.t, false);
 }
 
-/// The bounds of the children of the node around a cell.
-fn wide_node(bounds: texture_2d_array<u32>, field: ReliefField, cell: vec2i, level: i32) -> vec4u {
-    let shift = u32(2i * level);
+/// The node around a cell of the map, whose place in the frame is `place`. The high bits of its bytes are four of shift, and
+/// twelve of base before them.
+fn wide_node(bounds: texture_2d_array<u32>, field: ReliefField, cell: vec2i, place: vec3i) -> WideNode {
+    let shift = u32(2i * place.z);
     let node = (cell & field.wrap) >> vec2u(shift);
     let index = (field.corner.x >> (2u * shift - 4u)) + (node.y << (u32(field.corner.y) - shift)) + node.x;
-    return textureLoad(bounds, vec2i(index & 1023i, index >> 10u), field.layer, 0i);
+    let words = textureLoad(bounds, vec2i(index & 1023i, index >> 10u), field.layer, 0i);
+    let high = (words >> vec4u(7u)) & vec4u(0x01010101u);
+    let parts = (high | (high >> vec4u(7u)) | (high >> vec4u(14u)) | (high >> vec4u(21u))) & vec4u(15u);
+    let base = parts.x | (parts.y << 4u) | (parts.z << 8u);
+    return WideNode(place, i32(base) << u32(field.unit), parts.w, words);
 }
 
 /// The largest height over a child, in steps.
-fn wide_bound(node: vec4u, child: vec2i, unit: i32) -> f32 {
-    let rows = select(node.xy, node.zw, (child.y & 2i) != 0i);
+fn wide_bound(node: WideNode, child: vec2i) -> f32 {
+    let rows = select(node.children.xy, node.children.zw, (child.y & 2i) != 0i);
     let row = select(rows.x, rows.y, (child.y & 1i) != 0i);
-    let byte = (row >> (8u * u32(child.x & 3i))) & 255u;
-    return f32(i32(byte + 1u) << u32(unit));
+    let own = (row >> (8u * u32(child.x & 3i))) & 127u;
+    return f32(node.base + i32((own + 1u) << node.shift));
 }

@@ -8,15 +8,19 @@ use crate::heightfield::heights::Heights;
 
 /// Children of a node along each axis.
 pub const CHILDREN: u32 = 4;
+/// Bits of a child's own, and of a node's base.
+const OWN: u32 = 7;
+const BASE: u32 = 12;
 
 /// A pyramid of four by four children to a node, a node four 32-bit words.
 ///
-/// Byte 4 j + i of a node (of its sixteen, the lowest bits first) bounds child (i, j): the surface there is at most
-/// `(byte + 1) << shift` steps high. Children beyond the map have 0.
+/// The low seven bits of byte 4 j + i of a node (of its sixteen, the lowest bits first) are for child (i, j), the high bits for
+/// the node, bit 4 j + i of sixteen: twelve are its base, four its shift. The surface over the child is at most
+/// `(base << unit) + ((bits + 1) << shift)` steps high. Children beyond the map have 0.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Wide {
-    /// Steps of the map to a step of a bound, as a power of two: the least with which the highest fits.
-    pub shift: u32,
+    /// Steps of the map to a step of a base, as a power of two: the least with which the highest fits.
+    pub unit: u32,
     /// The nodes whose children are the cells come first, the one over the whole map last.
     pub levels: Vec<Level<[u32; 4]>>,
 }
@@ -36,15 +40,15 @@ impl Wide {
 
     fn pack<T: Copy + Into<u32> + Sync>(finer: &[Level<T>]) -> Self {
         let highest: u32 = finer[finer.len() - 1].at(0, 0).into();
-        let shift = (u32::BITS - highest.leading_zeros()).saturating_sub(u8::BITS);
+        let unit = bits(highest).saturating_sub(BASE);
         let mut levels = Vec::new();
         let mut size = finer[0].size;
         while levels.is_empty() || size != [1, 1] {
             size = size.map(|side| side.div_ceil(CHILDREN));
             // A level of four by four children is every second one of two by two; the coarsest may be missing.
-            levels.push(nodes(&finer[(2 * levels.len()).min(finer.len() - 1)], size, shift));
+            levels.push(nodes(&finer[(2 * levels.len()).min(finer.len() - 1)], size, unit));
         }
-        Self { shift, levels }
+        Self { unit, levels }
     }
 
     /// What the pyramid says of a child: the level of its node, from 1, and its column and row among all children there.
@@ -54,8 +58,10 @@ impl Wide {
     #[must_use]
     pub fn bound(&self, level: usize, x: u32, y: u32) -> u32 {
         let node = self.levels[level - 1].at(x / CHILDREN, y / CHILDREN);
-        let byte = node[(y % CHILDREN) as usize] >> (8 * (x % CHILDREN)) & 0xff;
-        (byte + 1) << self.shift
+        let high = |index: u32| node[(index / CHILDREN) as usize] >> (8 * (index % CHILDREN) + OWN) & 1;
+        let header = (0..CHILDREN * CHILDREN).map(|index| high(index) << index).sum::<u32>();
+        let own = node[(y % CHILDREN) as usize] >> (8 * (x % CHILDREN)) & ((1 << OWN) - 1);
+        ((header & ((1 << BASE) - 1)) << self.unit) + ((own + 1) << (header >> BASE))
     }
 
     /// Bytes of all nodes.
@@ -77,26 +83,43 @@ impl std::fmt::Display for FloatHeights {
 
 impl std::error::Error for FloatHeights {}
 
-fn nodes<T: Copy + Into<u32> + Sync>(children: &Level<T>, size: [u32; 2], shift: u32) -> Level<[u32; 4]> {
+/// Heights over a node's children, row by row; `None` beyond the map.
+type Children = [[Option<u32>; CHILDREN as usize]; CHILDREN as usize];
+
+fn nodes<T: Copy + Into<u32> + Sync>(children: &Level<T>, size: [u32; 2], unit: u32) -> Level<[u32; 4]> {
     let mut level = Level::blank(size);
     level.values.par_chunks_mut(size[0] as usize).enumerate().for_each(|(y, nodes)| {
-        (0..CHILDREN).for_each(|j| word(children, CHILDREN * y as u32 + j, shift, nodes, j as usize));
+        let row = |j: u32| CHILDREN * y as u32 + j;
+        let rows = [0, 1, 2, 3].map(|j| if row(j) < children.size[1] { children.row(row(j)) } else { &[] });
+        for (x, node) in nodes.iter_mut().enumerate() {
+            let first = CHILDREN as usize * x;
+            *node =
+                packed(rows.map(|row| [0, 1, 2, 3].map(|i| row.get(first + i).map(|height| (*height).into()))), unit);
+        }
     });
     level
 }
 
-/// The bounds of a row of children, word `index` of each node over it: a byte is the largest height less one, rounded down,
-/// so that `(byte + 1) << shift` is not below it. Where there are no children, 0 stays.
-fn word<T: Copy + Into<u32>>(children: &Level<T>, row: u32, shift: u32, nodes: &mut [[u32; 4]], index: usize) {
-    if row >= children.size[1] {
-        return;
-    }
-    let byte = |highest: T| highest.into().saturating_sub(1) >> shift;
-    let (whole, rest) = children.row(row).as_chunks::<{ CHILDREN as usize }>();
-    for (node, [a, b, c, d]) in nodes.iter_mut().zip(whole) {
-        node[index] = byte(*a) | byte(*b) << 8 | byte(*c) << 16 | byte(*d) << 24;
-    }
-    if let Some(node) = nodes.get_mut(whole.len()) {
-        node[index] = rest.iter().rev().fold(0, |word, highest| word << 8 | byte(*highest));
-    }
+/// A node: bounds over its base, rounded down from the largest height less one, so that one more is not below it.
+fn packed(children: Children, unit: u32) -> [u32; 4] {
+    let heights = children.iter().flatten().flatten().map(|height| height.saturating_sub(1));
+    let (low, high) = heights.fold((u32::MAX, 0), |(low, high), height| (low.min(height), high.max(height)));
+    let base = low >> unit;
+    let shift = bits(high - (base << unit)).saturating_sub(OWN);
+    let header = base | shift << BASE;
+    let own = |height: u32| (height.saturating_sub(1) - (base << unit)) >> shift;
+    std::array::from_fn(|row| {
+        let word = children[row].iter().rev().fold(0, |word, child| word << 8 | child.map_or(0, own));
+        word | spread(header >> (CHILDREN as usize * row))
+    })
+}
+
+/// The low four bits as the high bits of four bytes.
+fn spread(bits: u32) -> u32 {
+    (0..CHILDREN).map(|index| (bits >> index & 1) << (8 * index + OWN)).sum()
+}
+
+/// How many bits a number has.
+fn bits(number: u32) -> u32 {
+    u32::BITS - number.leading_zeros()
 }
