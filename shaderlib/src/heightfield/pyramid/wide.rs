@@ -16,7 +16,7 @@ const BASE: u32 = 12;
 ///
 /// The low seven bits of byte 4 j + i of a node (of its sixteen, the lowest bits first) are for child (i, j), the high bits for
 /// the node, bit 4 j + i of sixteen: twelve are its base, four its shift. The surface over the child is at most
-/// `(base << unit) + ((bits + 1) << shift)` steps high. Children beyond the map have 0.
+/// `(base << unit) + ((bits + 1) << shift)` steps high. Children beyond the map have those of its last ones.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Wide {
     /// Steps of the map to a step of a base, as a power of two: the least with which the highest fits.
@@ -83,18 +83,24 @@ impl std::fmt::Display for FloatHeights {
 
 impl std::error::Error for FloatHeights {}
 
-/// Heights over a node's children, row by row; `None` beyond the map.
-type Children = [[Option<u32>; CHILDREN as usize]; CHILDREN as usize];
+/// Heights over a node's children, row by row; beyond the map those of its last ones.
+type Children = [[u32; CHILDREN as usize]; CHILDREN as usize];
 
 fn nodes<T: Copy + Into<u32> + Sync>(children: &Level<T>, size: [u32; 2], unit: u32) -> Level<[u32; 4]> {
     let mut level = Level::blank(size);
+    let last = children.size.map(|side| side - 1);
     level.values.par_chunks_mut(size[0] as usize).enumerate().for_each(|(y, nodes)| {
-        let row = |j: u32| CHILDREN * y as u32 + j;
-        let rows = [0, 1, 2, 3].map(|j| if row(j) < children.size[1] { children.row(row(j)) } else { &[] });
+        let rows = [0, 1, 2, 3].map(|row| children.row((CHILDREN * y as u32 + row).min(last[1])));
         for (x, node) in nodes.iter_mut().enumerate() {
             let first = CHILDREN as usize * x;
-            *node =
-                packed(rows.map(|row| [0, 1, 2, 3].map(|i| row.get(first + i).map(|height| (*height).into()))), unit);
+            let near = [0, 1, 2, 3].map(|column| (first + column).min(last[0] as usize));
+            *node = packed(
+                rows.map(|row| match row.get(first..).and_then(<[T]>::first_chunk) {
+                    Some(whole) => whole.map(Into::into),
+                    None => near.map(|column| row[column].into()),
+                }),
+                unit,
+            );
         }
     });
     level
@@ -102,21 +108,21 @@ fn nodes<T: Copy + Into<u32> + Sync>(children: &Level<T>, size: [u32; 2], unit: 
 
 /// A node: bounds over its base, rounded down from the largest height less one, so that one more is not below it.
 fn packed(children: Children, unit: u32) -> [u32; 4] {
-    let heights = children.iter().flatten().flatten().map(|height| height.saturating_sub(1));
-    let (low, high) = heights.fold((u32::MAX, 0), |(low, high), height| (low.min(height), high.max(height)));
+    let heights = children.map(|row| row.map(|height| height.saturating_sub(1)));
+    let low = heights.map(|row| row.into_iter().fold(u32::MAX, u32::min)).into_iter().fold(u32::MAX, u32::min);
+    let high = heights.map(|row| row.into_iter().fold(0, u32::max)).into_iter().fold(0, u32::max);
     let base = low >> unit;
     let shift = bits(high - (base << unit)).saturating_sub(OWN);
     let header = base | shift << BASE;
-    let own = |height: u32| (height.saturating_sub(1) - (base << unit)) >> shift;
-    std::array::from_fn(|row| {
-        let word = children[row].iter().rev().fold(0, |word, child| word << 8 | child.map_or(0, own));
-        word | spread(header >> (CHILDREN as usize * row))
-    })
+    let own = heights.map(|row| row.map(|height| (height - (base << unit)) >> shift));
+    let word = |row: usize, [a, b, c, d]: [u32; 4]| a | b << 8 | c << 16 | d << 24 | spread(header >> (4 * row));
+    [word(0, own[0]), word(1, own[1]), word(2, own[2]), word(3, own[3])]
 }
 
 /// The low four bits as the high bits of four bytes.
 fn spread(bits: u32) -> u32 {
-    (0..CHILDREN).map(|index| (bits >> index & 1) << (8 * index + OWN)).sum()
+    // A copy for each byte, seven places on: in it the bit that is wanted is the lowest.
+    (((bits & 15) * 0x0020_4081) & 0x0101_0101) << OWN
 }
 
 /// How many bits a number has.
