@@ -12,6 +12,10 @@ fn checkerboard(size: [u32; 2], variant: u64) -> Heights {
     map(Land::Checkerboard, size, Border::Wrap, Depth::Sixteen, variant).expect("a size")
 }
 
+const fn segment(origin: [f64; 3], direction: [f64; 3], end: f64) -> Segment {
+    Segment { ray: Ray { origin, direction }, range: (0.0, end) }
+}
+
 /// What each method finds.
 fn found(heights: &Heights, segment: &Segment) -> Option<Vec<(Method, Traced)>> {
     let gpu = device()?;
@@ -25,13 +29,8 @@ fn found(heights: &Heights, segment: &Segment) -> Option<Vec<(Method, Traced)>> 
 
 /// A ray that keeps near the saddles of 1,920 cells and so meets none of their corners. A third is no f32: at its end it runs
 /// 2e-5 texels beside itself, on a slope of the whole height in a texel.
-const BETWEEN: Segment = Segment {
-    ray: Ray {
-        origin: [118.199_218_75, 683.933_593_75, 60_335.269_531_25],
-        direction: [0.105_468_75, -0.035_156_25, -0.914_062_5],
-    },
-    range: (0.0, 19_094.0),
-};
+const BETWEEN: Segment =
+    segment([118.199_218_75, 683.933_593_75, 60_335.269_531_25], [0.105_468_75, -0.035_156_25, -0.914_062_5], 19_094.0);
 
 #[test]
 fn after_two_thousand_cells_a_hit_is_that_of_a_ray_beside() {
@@ -45,13 +44,11 @@ fn after_two_thousand_cells_a_hit_is_that_of_a_ray_beside() {
 }
 
 /// A ray that passes tips by thousandths of a step, of which it touches the first at t = 2, or another up to 750 texels on.
-const OVER_TIPS: Segment = Segment {
-    ray: Ray {
-        origin: [-48_772_604.054_687_5, 226_209_284.671_875, 65_535.007_812_5],
-        direction: [-1.472_656_25, -2.335_937_5, -0.003_906_25],
-    },
-    range: (0.0, 883.0),
-};
+const OVER_TIPS: Segment = segment(
+    [-48_772_604.054_687_5, 226_209_284.671_875, 65_535.007_812_5],
+    [-1.472_656_25, -2.335_937_5, -0.003_906_25],
+    883.0,
+);
 
 #[test]
 fn which_of_many_tips_a_ray_touches_is_decided_by_rounding() {
