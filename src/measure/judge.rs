@@ -107,11 +107,11 @@ impl<'a> Judge<'a> {
     #[must_use]
     pub fn is_excused(&self, traced: &Traced, distance: f64) -> bool {
         let (Some(hit), Outcome::Hit(t)) = (self.truth, traced.outcome) else { return false };
-        let far = distance > NEAR && self.fault(traced).is_none();
-        far && {
-            let (moved, slack) = (self.moved_by_rounding(t), self.slack());
-            moved > slack && (t - hit.t).abs() <= moved + slack
+        if distance <= NEAR || self.fault(traced).is_some() {
+            return false;
         }
+        let (moved, slack) = (self.moved_by_rounding(t), self.slack());
+        moved > slack && (t - hit.t).abs() <= moved + slack
     }
 
     /// Whether rounding decides what the ray meets. Then no place is the right one, but those between.
