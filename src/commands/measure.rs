@@ -6,7 +6,7 @@ use std::path::PathBuf;
 
 use terrane::file;
 use terrane::measure::{Attack, BuiltIn, MAPS, Plan, Row, Subject, measure, pyramids, pyramids_csv, pyramids_table};
-use terrane::measure::{attack, read, recommend, table, verdicts};
+use terrane::measure::{attack, blocks, read, recommend, table, verdicts};
 use terrane::relief::Timing;
 use terrane::render::{Gpu, Progress, Selection};
 use terrane_codegen::graph::nearest;
@@ -134,9 +134,11 @@ impl Measure {
         eprintln!("device: {}, time: {}", gpu.name(), Timing::of(&gpu));
         let mut rows: Vec<Row> = Vec::new();
         for subject in self.subjects(own) {
-            rows.extend(measure(&gpu, &subject, &self.plan(), Progress::Stderr)?);
+            let new = measure(&gpu, &subject, &self.plan(), Progress::Stderr)?;
+            // At once: whoever stops a long run keeps what it has found.
+            print!("{}", if rows.is_empty() { table(&new) } else { blocks(&new) });
+            rows.extend(new);
         }
-        print!("{}", table(&rows));
         self.print_recommendation(&rows);
         match &self.output {
             Some(path) => output::write(path, &rows),

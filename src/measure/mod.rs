@@ -35,7 +35,7 @@ pub use maps::{BuiltIn, MAPS, UnknownMap};
 pub use plot::{Cost, Plot, PlotError};
 pub use pyramids::{Built, pyramids, pyramids_csv, pyramids_table};
 pub use recommend::{Candidate, Recommendation, recommend};
-pub use report::{csv, table};
+pub use report::{blocks, csv, table};
 pub use row::Row;
 pub use run::{BASELINE, Plan, measure};
 pub use subject::{Subject, SubjectError, read};

@@ -41,7 +41,7 @@ const VALUES: [Value; 27] = [
 
 const COLUMNS: [Column; 16] = [
     ("method", |row| row.method.to_string()),
-    ("ns/ray", |row| format!("{:.1}", row.time)),
+    ("ns/ray", |row| time(row.time)),
     ("/mm", |row| format!("{:.2}", row.ratio)),
     ("/exact", |row| format!("{:.2}", row.over_exact)),
     ("steps", |row| format!("{:.1}", row.steps[0])),
@@ -66,10 +66,16 @@ pub fn csv(rows: &[Row]) -> String {
     std::iter::once(head).chain(lines).map(|line| line + "\n").collect()
 }
 
-/// For the eye: a block of methods for each view.
+/// For the eye: what the columns are, then a block of methods for each view.
 #[must_use]
 pub fn table(rows: &[Row]) -> String {
-    let mut text = rows.first().map_or_else(String::new, head);
+    rows.first().map_or_else(String::new, |row| head(row) + &blocks(rows))
+}
+
+/// The blocks alone.
+#[must_use]
+pub fn blocks(rows: &[Row]) -> String {
+    let mut text = String::new();
     let lines: Vec<[String; 16]> = rows.iter().map(|row| COLUMNS.map(|(_, cell)| cell(row))).collect();
     let width = |column: usize| lines.iter().map(|line| line[column].chars().count()).max().unwrap_or(0);
     let widths: [usize; 16] = std::array::from_fn(|column| width(column).max(COLUMNS[column].0.len()));
@@ -105,6 +111,11 @@ fn line(cells: &[String; 16], widths: &[usize; 16]) -> String {
         .map(|(index, (cell, width))| if index == 0 { format!("  {cell:width$}") } else { format!("  {cell:>width$}") })
         .collect();
     text.trim_end().to_owned() + "\n"
+}
+
+/// Nanoseconds: a GPU takes less than one for a ray.
+fn time(number: f64) -> String {
+    if number < 10.0 { format!("{number:.3}") } else { format!("{number:.1}") }
 }
 
 /// A number that may be of any size.

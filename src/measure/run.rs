@@ -67,7 +67,7 @@ pub fn measure(gpu: &Gpu, subject: &Subject, plan: &Plan, progress: Progress) ->
         let rays = view.rays(&subject.heights, subject.full);
         let truth = truth(&subject.heights, &rays);
         phase.advance(1);
-        let (times, traced) = rounds(&tracers, &rays, plan.traces(), &phase)?;
+        let (times, traced) = rounds(gpu, &tracers, &rays, plan.traces(), &phase)?;
         let one = Scene { subject, view, rays: &rays, truth: &truth, timing: Timing::of(gpu) };
         rows.extend(methods.iter().enumerate().map(|(index, method)| {
             let times =
@@ -102,22 +102,25 @@ fn tracers<'a>(
     Ok(tracers)
 }
 
-/// Nanoseconds a ray of every counted round, and what the last one found.
+/// Nanoseconds a ray of every counted round, and what the first one found.
 fn rounds(
+    gpu: &Gpu,
     tracers: &[Tracer<'_>],
     rays: &[Segment],
     traces: u32,
     phase: &Phase,
 ) -> Result<(Times, Vec<Vec<Traced>>), RenderError> {
     let mut times = Times::new(tracers.len());
-    let mut traced = vec![Vec::new(); tracers.len()];
-    for round in 0..traces {
+    let mut traced = Vec::new();
+    let Some(sent) = tracers.first().map(|tracer| tracer.send(rays)).transpose()? else { return Ok((times, traced)) };
+    for tracer in tracers {
+        tracer.time(&sent)?;
+        traced.push(sent.read(gpu)?);
+    }
+    phase.advance(1);
+    for _ in 1..traces {
         for (index, tracer) in tracers.iter().enumerate() {
-            let (found, time) = tracer.trace(rays)?;
-            if round > 0 {
-                times.add(index, time.as_secs_f64() * 1e9 / rays.len().max(1) as f64);
-            }
-            traced[index] = found;
+            times.add(index, tracer.time(&sent)?.as_secs_f64() * 1e9 / rays.len().max(1) as f64);
         }
         phase.advance(1);
     }

@@ -8,9 +8,10 @@ use terrane_shaderlib::relief::{Method, Placed};
 use wgpu::util::{BufferInitDescriptor, DeviceExt as _};
 
 use super::clock::{Clock, Timing};
-use super::setup::{DeviceRay, Segment, Setup};
-use super::shader::{COLUMNS, pipeline, shader, tiled_shader};
-use super::texture::{self, textures};
+use super::sent::{Part, Sent};
+use super::setup::{DeviceRay, Segment};
+use super::shader::{pipeline, shader, tiled_shader};
+use super::texture::textures;
 use crate::render::{Gpu, RenderError};
 
 /// What became of a ray.
@@ -56,16 +57,16 @@ pub struct Tracer<'a> {
 pub(super) struct DeviceHit {
     pub(super) t: f32,
     pub(super) state: u32,
-    cell: [i32; 2],
+    pub(super) cell: [i32; 2],
     pub(super) steps: u32,
     pub(super) leaves: u32,
 }
 
-/// Work groups in a row of a dispatch: WebGPU promises 65535.
-const ROW: usize = 32_768;
+/// What a GPU's timestamps are taken around, at least.
+const LONG_ENOUGH: Duration = Duration::from_millis(5);
 
-/// Rows of rays that are sent at once: what WebGPU promises for a texture.
-const ROWS: usize = 8192;
+/// Passes at most.
+const MOST: f64 = 10_000.0;
 
 impl<'a> Tracer<'a> {
     /// Uploads the map and compiles the method; `placed` is the map with the bounds of the method.
@@ -143,59 +144,67 @@ impl<'a> Tracer<'a> {
         Self { timing, ..self }
     }
 
-    /// Traces rays, each in its range of t, and says how long the device took, all cores together where it is a CPU.
+    /// Uploads rays, each with its range of t. What is sent by one method may be traced by any other over the same map.
+    ///
+    /// # Errors
+    /// [`RenderError::Refused`] where the device has no room for them.
+    pub fn send(&self, segments: &[Segment]) -> Result<Sent, RenderError> {
+        Sent::new(self.gpu, self.heights, self.range, segments)
+    }
+
+    /// Traces what was sent, and says how long the device took, all cores together where it is a CPU.
     ///
     /// # Errors
     /// [`RenderError::Lost`] where the device fails.
+    pub fn time(&self, sent: &Sent) -> Result<Duration, RenderError> {
+        let mut time = Duration::ZERO;
+        for part in &sent.parts {
+            time += self.time_part(part)?;
+        }
+        Ok(time)
+    }
+
+    /// Sends rays, traces them once and reads what was found.
+    ///
+    /// # Errors
+    /// Those of [`Self::send`] and [`Self::time`].
     pub fn trace(&self, segments: &[Segment]) -> Result<(Vec<Traced>, Duration), RenderError> {
-        let setup = |segment| Setup::new(self.heights, self.range, segment);
-        let setups: Vec<Option<Setup>> = segments.iter().map(setup).collect();
-        let sent: Vec<DeviceRay> = setups.iter().flatten().map(|setup| setup.ray).collect();
-        let (hits, time) = self.run(&sent)?;
-        let mut hits = hits.iter();
-        let traced = setups.iter().map(|setup| {
-            let found = setup.as_ref().and_then(|setup| hits.next().map(|hit| traced(setup, hit)));
-            found.unwrap_or(Traced { outcome: Outcome::Miss, cell: [0; 2], steps: 0, leaves: 0 })
-        });
-        Ok((traced.collect(), time))
+        let sent = self.send(segments)?;
+        let time = self.time(&sent)?;
+        Ok((sent.read(self.gpu)?, time))
     }
 
     /// One answer for each ray.
     pub(super) fn run(&self, rays: &[DeviceRay]) -> Result<(Vec<DeviceHit>, Duration), RenderError> {
-        let (mut hits, mut time) = (Vec::new(), Duration::ZERO);
-        for part in rays.chunks(ROWS * COLUMNS) {
-            let (found, took) = self.run_part(part)?;
-            hits.extend(found);
-            time += took;
-        }
-        Ok((hits, time))
+        let part = Part::new(self.gpu, rays)?;
+        let time = self.time_part(&part)?;
+        Ok((part.read(self.gpu)?, time))
     }
 
-    /// The same for as many as one texture holds.
-    fn run_part(&self, rays: &[DeviceRay]) -> Result<(Vec<DeviceHit>, Duration), RenderError> {
-        let device = &self.gpu.device;
-        let size = (rays.len() * size_of::<DeviceHit>()) as u64;
-        let sent = self.gpu.checked("rays", || texture::rays(self.gpu, rays))?;
-        let buffer = |usage| wgpu::BufferDescriptor { label: Some("hits"), size, usage, mapped_at_creation: false };
-        let found = device.create_buffer(&buffer(wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC));
-        let read = device.create_buffer(&buffer(wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ));
-        let group = self.bind(&sent, &found);
+    /// A GPU that waited has slowed down, and its clock is coarse: it traces more and more often, until that takes long enough
+    /// to be believed.
+    fn time_part(&self, part: &Part) -> Result<Duration, RenderError> {
+        let group = self.bind(&part.rays, &part.hits);
+        let mut times = 1;
+        loop {
+            let took = self.time_passes(part, &group, times)?;
+            let more = LONG_ENOUGH.as_secs_f64() / took.as_secs_f64().max(1e-6);
+            if self.timing != Timing::Device || more <= 1.0 {
+                return Ok(took / times);
+            }
+            times = (f64::from(times) * more * 1.5).ceil().min(MOST) as u32;
+        }
+    }
+
+    fn time_passes(&self, part: &Part, group: &wgpu::BindGroup, times: u32) -> Result<Duration, RenderError> {
         self.gpu.wait()?;
         let clock = Clock::start(self.gpu, self.timing);
-        let mut encoder = device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        {
-            let descriptor = wgpu::ComputePassDescriptor { label: Some("relief"), timestamp_writes: clock.writes() };
-            let mut pass = encoder.begin_compute_pass(&descriptor);
-            pass.set_pipeline(&self.pipeline);
-            pass.set_bind_group(0, &group, &[]);
-            let groups = rays.len().div_ceil(64);
-            pass.dispatch_workgroups(groups.min(ROW) as u32, groups.div_ceil(ROW) as u32, 1);
-        }
+        let mut encoder = self.gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        part.record(&mut encoder, (&self.pipeline, group), &clock, times);
         clock.resolve(&mut encoder);
         self.gpu.queue.submit([encoder.finish()]);
         self.gpu.wait()?;
-        let time = clock.elapsed(self.gpu)?;
-        Ok((self.read(&found, &read)?, time))
+        clock.elapsed(self.gpu)
     }
 
     fn bind(&self, rays: &wgpu::TextureView, hits: &wgpu::Buffer) -> wgpu::BindGroup {
@@ -211,27 +220,9 @@ impl<'a> Tracer<'a> {
             entries: &entries,
         })
     }
-
-    fn read(&self, found: &wgpu::Buffer, read: &wgpu::Buffer) -> Result<Vec<DeviceHit>, RenderError> {
-        let mut encoder = self.gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        encoder.copy_buffer_to_buffer(found, 0, read, 0, read.size());
-        self.gpu.queue.submit([encoder.finish()]);
-        Ok(self.gpu.read(read)?.chunks_exact(size_of::<DeviceHit>()).map(bytemuck::pod_read_unaligned).collect())
-    }
 }
 
 /// A method's shader, over a map that is traced whole or tile by tile.
 fn text(method: Method, tiled: bool) -> String {
     if tiled { tiled_shader(method) } else { shader(method) }
-}
-
-fn traced(setup: &Setup, hit: &DeviceHit) -> Traced {
-    let outcome = match hit.state {
-        0 if setup.is_cut => Outcome::Unresolved,
-        0 => Outcome::Miss,
-        1 => Outcome::Hit(setup.t(hit.t)),
-        _ => Outcome::Unresolved,
-    };
-    let cell = if hit.state == 1 { setup.cell(hit.cell) } else { [0; 2] };
-    Traced { outcome, cell, steps: hit.steps, leaves: hit.leaves }
 }

@@ -188,25 +188,34 @@ fn displaced_coarser(level: f32) -> f32 {
     return saturate(2.0 * fract(level) - 1.0);
 }
 
-/// Between the hits on two mips.
-fn displaced_between(fine: DisplacedHit, coarse: DisplacedHit, part: f32) -> DisplacedHit {
-    let distance = mix(fine.distance, coarse.distance, part);
-    return DisplacedHit(distance, fine.steps + coarse.steps, fine.done && coarse.done);
+/// Mips that show: one, or two.
+fn displaced_mips(layer: DisplacedLayer) -> i32 {
+    return select(1i, 2i, displaced_coarser(layer.level) > 0.0);
+}
+
+/// The part that each of them has, the finer one first.
+fn displaced_part(layer: DisplacedLayer, coarser: i32) -> f32 {
+    let part = displaced_coarser(layer.level);
+    return select(part, 1.0 - part, coarser == 0i);
+}
+
+/// What was found on a mip, with its part, on top of what was found on those before it.
+fn displaced_between(before: DisplacedHit, found: DisplacedHit, part: f32) -> DisplacedHit {
+    let distance = before.distance + part * found.distance;
+    return DisplacedHit(distance, before.steps + found.steps, before.done && found.done);
 }
 
 /// A single look at the height under the origin, on the mip that fits the pixel or between two: good enough where the whole way is
 /// short.
 fn displaced_glance(heights: texture_2d_array<u32>, layer: DisplacedLayer, ray: DisplacedRay) -> DisplacedHit {
-    let size = textureDimensions(heights);
-    let mip = i32(layer.level);
-    let fine = displaced_glance_on(heights, displaced_field(size, layer, mip), displaced_search(layer, ray, mip));
-    let part = displaced_coarser(layer.level);
-    if part == 0.0 {
-        return fine;
+    var hit = DisplacedHit(0.0, 0u, true);
+    for (var coarser = 0i; coarser < displaced_mips(layer); coarser++) {
+        let mip = i32(layer.level) + coarser;
+        let field = displaced_field(textureDimensions(heights), layer, mip);
+        let found = displaced_glance_on(heights, field, displaced_search(layer, ray, mip));
+        hit = displaced_between(hit, found, displaced_part(layer, coarser));
     }
-    let search = displaced_search(layer, ray, mip + 1i);
-    let coarse = displaced_glance_on(heights, displaced_field(size, layer, mip + 1i), search);
-    return displaced_between(fine, coarse, part);
+    return hit;
 }
 
 /// The nearer of two hits.

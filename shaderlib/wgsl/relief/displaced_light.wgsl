@@ -55,13 +55,12 @@ fn displaced_light_hard(
     heights: texture_2d_array<u32>,
     bounds: texture_2d_array<u32>,
 ) -> f32 {
-    let mip = i32(layer.level);
-    let fine = displaced_light_hard_on(layer, ray, mip, heights, bounds);
-    let part = displaced_coarser(layer.level);
-    if part == 0.0 {
-        return fine;
+    var seen = 0.0;
+    for (var coarser = 0i; coarser < displaced_mips(layer); coarser++) {
+        let mip = i32(layer.level) + coarser;
+        seen += displaced_part(layer, coarser) * displaced_light_hard_on(layer, ray, mip, heights, bounds);
     }
-    return mix(fine, displaced_light_hard_on(layer, ray, mip + 1i, heights, bounds), part);
+    return seen;
 }
 
 /// The same on one mip.
@@ -85,13 +84,12 @@ fn displaced_light_disc(
     heights: texture_2d_array<u32>,
     bounds: texture_2d_array<u32>,
 ) -> f32 {
-    let mip = i32(layer.level);
-    let fine = displaced_light_disc_on(layer, ray, radius, mip, heights, bounds);
-    let part = displaced_coarser(layer.level);
-    if part == 0.0 {
-        return fine;
+    var seen = 0.0;
+    for (var coarser = 0i; coarser < displaced_mips(layer); coarser++) {
+        let mip = i32(layer.level) + coarser;
+        seen += displaced_part(layer, coarser) * displaced_light_disc_on(layer, ray, radius, mip, heights, bounds);
     }
-    return mix(fine, displaced_light_disc_on(layer, ray, radius, mip + 1i, heights, bounds), part);
+    return seen;
 }
 
 /// The same on one mip.
@@ -121,13 +119,12 @@ fn displaced_light_sky(
     heights: texture_2d_array<u32>,
     bounds: texture_2d_array<u32>,
 ) -> f32 {
-    let mip = i32(layer.level);
-    let fine = displaced_light_sky_on(layer, point, normal, turn, directions, mip, heights, bounds);
-    let part = displaced_coarser(layer.level);
-    if part == 0.0 {
-        return fine;
+    var seen = 0.0;
+    for (var coarser = 0i; coarser < displaced_mips(layer); coarser++) {
+        let mip = i32(layer.level) + coarser;
+        seen += displaced_part(layer, coarser) * displaced_light_sky_on(layer, point, normal, turn, directions, mip, heights, bounds);
     }
-    return mix(fine, displaced_light_sky_on(layer, point, normal, turn, directions, mip + 1i, heights, bounds), part);
+    return seen;
 }
 
 /// The same on one mip.

@@ -1,10 +1,11 @@
 //! The displaced surface of a shader's layers: where it lies, and what a ray meets of it.
 
+mod rays;
+
 use super::arguments::{Arguments, arguments};
 use super::compose::Composer;
 use super::names::{Names, layer_word};
 use super::text::{Place, Shader};
-use crate::graph::model::{ReliefMethod, ReliefShadow};
 use crate::library::Library;
 use crate::patch::{ReliefPart, Scope, Scopes, Specialization};
 use crate::program::{LayerRelief, Program, ProgramLayer, ProgramRelief};
@@ -28,10 +29,7 @@ pub(super) fn relief(shader: &mut Shader, library: &Library, program: &Program, 
         writer.structs();
         writer.coordinates();
         writer.place();
-        writer.search();
-        writer.displace();
-        writer.shadow();
-        writer.occlusion();
+        writer.rays();
     }
 }
 
@@ -165,97 +163,5 @@ impl Writer<'_> {
         };
         let map = format!("textureDimensions({heights}), textureNumLevels({heights}), {}i", relief.layer);
         format!("displaced_layer(coordinates.{}, {map}, {depth}, {sink}, pixel)", relief_member(name))
-    }
-
-    /// The first hit of one layer, between the two mips that fit the pixel.
-    fn search(&mut self) {
-        let call = |mip: &str| {
-            self.relief.trace.method.search().call("heights", "bounds", &format!("{mip}_field"), &format!("{mip}.ray"))
-        };
-        let (fine, coarse) = (call("fine"), call("coarse"));
-        self.shader.line("");
-        self.shader.line("/// The first hit of one layer, on the mip that fits the pixel or between two.");
-        self.shader.open(
-            "fn terrane_search(layer: DisplacedLayer, ray: DisplacedRay, heights: texture_2d_array<u32>, bounds: texture_2d_array<u32>) -> DisplacedHit",
-        );
-        self.shader.line("let size = textureDimensions(heights);");
-        self.shader.line("let mip = i32(layer.level);");
-        self.shader.line("let fine = displaced_search(layer, ray, mip);");
-        self.shader.line("let fine_field = displaced_field(size, layer, mip);");
-        if let ReliefMethod::Auto { max_error } = self.relief.trace.method {
-            let error = Literal::f32(max_error).wgsl();
-            self.shader.open(&format!("if displaced_way(fine) <= {error}"));
-            self.shader.line("return displaced_glance(heights, layer, ray);");
-            self.shader.close();
-        }
-        self.shader.line(&format!("let hit = displaced_found(fine, {fine});"));
-        self.shader.line("let part = displaced_coarser(layer.level);");
-        self.shader.open("if part == 0.0f");
-        self.shader.line("return hit;");
-        self.shader.close();
-        self.shader.line("let coarse = displaced_search(layer, ray, mip + 1i);");
-        self.shader.line("let coarse_field = displaced_field(size, layer, mip + 1i);");
-        self.shader.line(&format!("return displaced_between(hit, displaced_found(coarse, {coarse}), part);"));
-        self.shader.close();
-    }
-
-    /// A function over all layers that are there: its head, what it begins with, a line for each layer, what it returns.
-    fn over_layers(&mut self, doc: &str, head: &str, [begin, each, end]: [&str; 3]) {
-        let textures = textures(self.relief).into_iter().map(|(name, ty)| format!("{name}: {ty}"));
-        let arguments: Vec<String> = std::iter::once("relief: TerrainRelief".to_owned()).chain(textures).collect();
-        self.shader.line("");
-        self.shader.line(doc);
-        self.shader.open(&head.replace("RELIEF", &arguments.join(", ")));
-        self.shader.line(begin);
-        for (name, relief) in self.displaced() {
-            let array = &self.relief.arrays[relief.array];
-            let layer = format!("relief.{}", relief_member(&name));
-            self.shader.open(&format!("if {layer}.depth > 0.0f"));
-            let maps = format!("{}, {}", array.heights(), array.bounds());
-            self.shader.line(&each.replace("LAYER", &layer).replace("MAPS", &maps));
-            self.shader.close();
-        }
-        self.shader.line(end);
-        self.shader.close();
-    }
-
-    fn displace(&mut self) {
-        self.over_layers(
-            "/// Where a ray from the eye meets the displaced ground.",
-            "fn terrane_displace(ray: DisplacedRay, RELIEF) -> DisplacedHit",
-            [
-                "var hit = displaced_plane(ray, relief.bottom);",
-                "hit = displaced_nearer(hit, terrane_search(LAYER, ray, MAPS));",
-                "return hit;",
-            ],
-        );
-    }
-
-    fn shadow(&mut self) {
-        let each = match self.relief.trace.shadow {
-            ReliefShadow::Off => return,
-            ReliefShadow::Hard => "share = min(share, displaced_light_hard(LAYER, ray, MAPS));",
-            ReliefShadow::Cone => "share = min(share, displaced_light_disc(LAYER, ray, radius, MAPS));",
-        };
-        self.over_layers(
-            "/// How much of a disc the displaced ground leaves visible; `radius` is the tangent of its angular radius.",
-            "fn terrane_relief_shadow(ray: DisplacedRay, radius: f32, RELIEF) -> f32",
-            ["var share = 1.0f;", each, "return share;"],
-        );
-    }
-
-    fn occlusion(&mut self) {
-        let directions = self.relief.trace.occlusion;
-        if directions > 0 {
-            self.over_layers(
-                "/// How much of the sky's light the displaced ground lets in, on a surface with a normal; `turn` is an angle.",
-                "fn terrane_relief_occlusion(point: vec3f, normal: vec3f, turn: f32, RELIEF) -> f32",
-                [
-                    "var share = 1.0f;",
-                    &format!("share = min(share, displaced_light_sky(LAYER, point, normal, turn, {directions}u, MAPS));"),
-                    "return share;",
-                ],
-            );
-        }
     }
 }

@@ -1,0 +1,118 @@
+//! Rays on a device, and the room for their answers.
+
+use rayon::prelude::*;
+use terrane_shaderlib::heightfield::Heights;
+
+use super::clock::Clock;
+use super::setup::{DeviceRay, Segment, Setup};
+use super::shader::COLUMNS;
+use super::texture;
+use super::tracer::{DeviceHit, Outcome, Traced};
+use crate::render::{Gpu, RenderError};
+
+/// Rays over one map. Every method over that map may trace them, one after the other.
+#[derive(Debug)]
+pub struct Sent {
+    setups: Vec<Option<Setup>>,
+    pub(super) parts: Vec<Part>,
+}
+
+/// As many rays as one texture holds.
+#[derive(Debug)]
+pub(super) struct Part {
+    pub(super) count: usize,
+    pub(super) rays: wgpu::TextureView,
+    pub(super) hits: wgpu::Buffer,
+}
+
+/// Rows of rays that are sent at once: what WebGPU promises for a texture.
+const ROWS: usize = 8192;
+
+/// Work groups in a row of a dispatch: WebGPU promises 65535.
+const ROW: usize = 32_768;
+
+impl Sent {
+    /// Prepares rays, each in its range of t, and uploads them; `range` is the map's lowest and highest height.
+    pub(super) fn new(
+        gpu: &Gpu,
+        heights: &Heights,
+        range: [f64; 2],
+        segments: &[Segment],
+    ) -> Result<Self, RenderError> {
+        let setups: Vec<Option<Setup>> =
+            segments.par_iter().map(|segment| Setup::new(heights, range, segment)).collect();
+        let rays: Vec<DeviceRay> = setups.iter().flatten().map(|setup| setup.ray).collect();
+        let parts = rays.chunks(ROWS * COLUMNS).map(|part| Part::new(gpu, part)).collect::<Result<_, _>>()?;
+        Ok(Self { setups, parts })
+    }
+
+    /// What the method found that traced them last.
+    ///
+    /// # Errors
+    /// [`RenderError::Lost`] where the device fails.
+    pub fn read(&self, gpu: &Gpu) -> Result<Vec<Traced>, RenderError> {
+        let mut hits = Vec::new();
+        for part in &self.parts {
+            hits.extend(part.read(gpu)?);
+        }
+        let mut hits = hits.iter();
+        let traced = self.setups.iter().map(|setup| {
+            let found = setup.as_ref().and_then(|setup| hits.next().map(|hit| traced(setup, hit)));
+            found.unwrap_or(Traced { outcome: Outcome::Miss, cell: [0; 2], steps: 0, leaves: 0 })
+        });
+        Ok(traced.collect())
+    }
+}
+
+impl Part {
+    pub(super) fn new(gpu: &Gpu, rays: &[DeviceRay]) -> Result<Self, RenderError> {
+        let size = (rays.len() * size_of::<DeviceHit>()) as u64;
+        let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
+        let hits = wgpu::BufferDescriptor { label: Some("hits"), size, usage, mapped_at_creation: false };
+        gpu.checked("rays", || Self {
+            count: rays.len(),
+            rays: texture::rays(gpu, rays),
+            hits: gpu.device.create_buffer(&hits),
+        })
+    }
+
+    /// Traces them so many times in one pass.
+    pub(super) fn record(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        (pipeline, group): (&wgpu::ComputePipeline, &wgpu::BindGroup),
+        clock: &Clock,
+        times: u32,
+    ) {
+        let descriptor = wgpu::ComputePassDescriptor { label: Some("relief"), timestamp_writes: clock.writes() };
+        let mut pass = encoder.begin_compute_pass(&descriptor);
+        pass.set_pipeline(pipeline);
+        pass.set_bind_group(0, group, &[]);
+        let groups = self.count.div_ceil(64);
+        for _ in 0..times {
+            pass.dispatch_workgroups(groups.min(ROW) as u32, groups.div_ceil(ROW) as u32, 1);
+        }
+    }
+
+    pub(super) fn read(&self, gpu: &Gpu) -> Result<Vec<DeviceHit>, RenderError> {
+        let usage = wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ;
+        let size = self.hits.size();
+        let read = wgpu::BufferDescriptor { label: Some("hits"), size, usage, mapped_at_creation: false };
+        let read = gpu.device.create_buffer(&read);
+        let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+        encoder.copy_buffer_to_buffer(&self.hits, 0, &read, 0, size);
+        gpu.queue.submit([encoder.finish()]);
+        Ok(gpu.read(&read)?.chunks_exact(size_of::<DeviceHit>()).map(bytemuck::pod_read_unaligned).collect())
+    }
+}
+
+fn traced(setup: &Setup, hit: &DeviceHit) -> Traced {
+    let outcome = match hit.state {
+        0 if setup.is_cut => Outcome::Unresolved,
+        0 => Outcome::Miss,
+        1 => Outcome::Hit(setup.t(hit.t)),
+        _ => Outcome::Unresolved,
+    };
+    let cell = if hit.state == 1 { setup.cell(hit.cell) } else { [0; 2] };
+    Traced { outcome, cell, steps: hit.steps, leaves: hit.leaves }
+}
