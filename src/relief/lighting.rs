@@ -27,8 +27,9 @@ pub enum Lighting {
     FastHorizon(u32),
     /// `shadow_cone.wgsl`: planes through the sun's disc; nodes up to so many radii of the cone are taken as they are.
     Cone(u32, f32),
-    /// `occlusion_directions.wgsl`: the sky over so many directions, turned from point to point or not, by exact horizons.
-    Sky(u32, Turn),
+    /// `occlusion_directions.wgsl`: the sky over so many directions, turned from point to point or not, by horizons whose tangents
+    /// may be so much too small.
+    Sky(u32, Turn, f32),
     /// The same by so many taps of the fast horizon.
     FastSky(u32, Turn, u32),
 }
@@ -119,10 +120,11 @@ impl Lighting {
             Self::Cone(planes, coarse) => format!(
                 "relief_seen(shadow_cone_share(relief_heights, relief_bounds, {soft}, {full}, {planes}u, {coarse:?}f))"
             ),
-            Self::Sky(directions, turn) => {
+            Self::Sky(directions, turn, tolerance) => {
                 let sky = sky(directions, turn, &steps);
                 format!(
-                    "relief_seen(occlusion_directions_search(relief_heights, relief_bounds, {sky}, {full}, {directions}u))"
+                    "relief_seen(occlusion_directions_search(relief_heights, relief_bounds, {sky}, {full}, {directions}u, \
+                     {tolerance:?}f))"
                 )
             }
             Self::FastSky(directions, turn, taps) => {

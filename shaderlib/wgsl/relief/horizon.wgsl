@@ -20,7 +20,9 @@ struct HorizonFound {
 
 /// The horizon along a ray that starts above the ground. Its own slope, not below 0, is the least that matters, and the search
 /// ends at one of `enough`. No texel is higher than `lid`. A node that is not larger than `coarse` times its distance stands for
-/// all in it: with more than 0 the answer is faster and, if anything, too high.
+/// all in it: with more than 0 the answer is faster and, if anything, too high. What rises over the horizon by no more than
+/// `tolerance`, steps for each t, is passed over: with more than 0 the answer may be so much too low, and far faster on ground
+/// that curves up, where every patch raises the horizon a little.
 fn horizon_search(
     heights: texture_2d_array<u32>,
     bounds: texture_2d_array<u32>,
@@ -29,8 +31,11 @@ fn horizon_search(
     enough: f32,
     lid: f32,
     coarse: f32,
+    tolerance: f32,
 ) -> HorizonFound {
     var frame = walk_frame(ray);
+    var horizon = frame.direction.z;
+    frame.direction.z += tolerance;
     var state = climb_start(frame);
     var leaves = 0u;
     while state.stands {
@@ -43,15 +48,16 @@ fn horizon_search(
             let start = frame.origin.xy - (sides - 1.0);
             slope = horizon_patch(corners, vec3f(start, frame.origin.z), frame.direction.xy, state.t, state.leave);
         }
-        frame.direction.z = max(frame.direction.z, slope);
-        if frame.direction.z >= enough {
+        horizon = max(horizon, slope);
+        if horizon >= enough {
             break;
         }
+        frame.direction.z = horizon + tolerance;
         frame.end = min(ray.end, max(lid - frame.origin.z, 0.0) / max(frame.direction.z, 1e-6));
         state = climb_on(bounds, field, frame, state, coarse);
     }
-    let done = state.t >= frame.end || frame.direction.z >= enough;
-    return HorizonFound(frame.direction.z, done, state.steps, leaves);
+    let done = state.t >= frame.end || horizon >= enough;
+    return HorizonFound(horizon, done, state.steps, leaves);
 }
 
 /// The steepest line from `start`, in the cell's frame, to a patch that a ray passes over from t to `leave`.

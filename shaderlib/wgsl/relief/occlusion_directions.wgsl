@@ -6,7 +6,8 @@
 //! Source: Drobot, "Quadtree Displacement Mapping with Height Blending", GPU Pro 1, 2010, section 1.6 (directions, jitter); the horizons of `horizon` or of his listing 1.4; the integral Terrane's, after Max, "Horizon mapping", The Visual Computer 1988.
 
 /// By exact horizons. Of the ray only its start, above the ground, and its end count: no land beyond that t hides the sky.
-/// `normal` is the surface's, z up, of length 1; `steps` of height are as long as a texel is wide; no texel is above `lid`.
+/// `normal` is the surface's, z up, of length 1; `steps` of height are as long as a texel is wide; no texel is above `lid`. The
+/// tangent of a horizon may be too small by `tolerance`.
 fn occlusion_directions_search(
     heights: texture_2d_array<u32>,
     bounds: texture_2d_array<u32>,
@@ -17,6 +18,7 @@ fn occlusion_directions_search(
     turn: f32,
     lid: f32,
     directions: u32,
+    tolerance: f32,
 ) -> ShadowSeen {
     var seen = ShadowSeen(0.0, RELIEF_HIT, 0u, 0u);
     for (var index = 0u; index < directions; index++) {
@@ -27,7 +29,7 @@ fn occlusion_directions_search(
         let scale = 1.0 / max(abs(way.x), abs(way.y));
         let sight = ReliefRay(ray.cell, ray.origin, vec3f(way, least * steps) * scale, ray.end);
         let sent = ReliefRay(ray.cell, ray.origin, sight.direction, shadow_end(field, sight));
-        let found = horizon_search(heights, bounds, field, sent, RELIEF_NEVER, lid, 0.0);
+        let found = horizon_search(heights, bounds, field, sent, RELIEF_NEVER, lid, 0.0, tolerance * steps * scale);
         seen.share += occlusion_directions_wedge(along, normal.z, found.slope / (steps * scale));
         seen.state = select(RELIEF_UNRESOLVED, seen.state, found.done);
         seen.steps += found.steps;

@@ -33,7 +33,7 @@ fn shadow_cone_share(
         let high = unit * shadow_cone_tangent(tangent, half * radius);
         let chord = ReliefRay(ray.cell, ray.origin, vec3f(way, low), ray.end);
         let sent = ReliefRay(ray.cell, ray.origin, chord.direction, shadow_end(field, chord));
-        let found = horizon_search(heights, bounds, field, sent, high, lid, coarse * radius);
+        let found = horizon_search(heights, bounds, field, sent, high, lid, coarse * radius, 0.0);
         let slope = found.slope / unit;
         let line = (slope - tangent) / ((1.0 + slope * tangent) * radius);
         let part = select(saturate((half - line) / (2.0 * half)), shadow_disc(line), planes == 1u);

@@ -35,7 +35,10 @@ fn shadows() -> Vec<Lighting> {
 fn skies() -> Vec<Lighting> {
     let exact = [(4, Turn::Fixed), (4, Turn::Jittered), (8, Turn::Fixed)];
     let fast = exact.map(|(count, turn)| Lighting::FastSky(count, turn, 8));
-    exact.map(|(count, turn)| Lighting::Sky(count, turn)).into_iter().chain(fast).collect()
+    let searched = [0.0, 0.015625, 0.03125, 0.0625, 0.125]
+        .into_iter()
+        .flat_map(|tolerance| exact.map(|(count, turn)| Lighting::Sky(count, turn, tolerance)));
+    searched.chain(fast).collect()
 }
 
 /// One line for each method: loads, time over that of the first, errors.
@@ -63,15 +66,17 @@ fn print(gpu: &Gpu, place: &Place<'_>, points: &[[f64; 2]], truth: &[f64], metho
     }
 }
 
+/// The maps of materials, and land.
+fn maps() -> impl Iterator<Item = Subject> {
+    let named = |subject: &Subject| ["cracked_rock", "pebbles", "hills", "cracks"].contains(&&*subject.name);
+    MAPS.iter().map(|map| map.make(SIDE)).filter(named).chain(mountains())
+}
+
 #[test]
 #[ignore = "takes minutes: `cargo test --test suite relief::figures -- --ignored --nocapture` prints a table"]
-fn shadow_and_occlusion() {
+fn shadow() {
     let Some(gpu) = device() else { return };
-    let materials = MAPS
-        .iter()
-        .map(|map| map.make(SIDE))
-        .filter(|subject| ["cracked_rock", "pebbles", "hills", "cracks"].contains(&&*subject.name));
-    for subject in materials.chain(mountains()) {
+    for subject in maps() {
         for elevation in [45.0, 30.0, 15.0] {
             let place = Place::new(&subject, Sun::new(34.0, elevation, 0.27));
             let points = place.facing(64);
@@ -79,6 +84,14 @@ fn shadow_and_occlusion() {
             println!("{} under a sun at {elevation}°: {} points", subject.name, points.len());
             print(&gpu, &place, &points, &truth, &shadows());
         }
+    }
+}
+
+#[test]
+#[ignore = "takes minutes: `cargo test --test suite relief::figures -- --ignored --nocapture` prints a table"]
+fn occlusion() {
+    let Some(gpu) = device() else { return };
+    for subject in maps() {
         let place = Place::new(&subject, Sun::new(34.0, 89.0, 0.27));
         let points = place.facing(24);
         println!("{} under the sky: {} points", subject.name, points.len());

@@ -217,7 +217,8 @@ fn occlusion_is_that_of_its_directions() {
     for subject in subjects(64) {
         let place = Place::new(&subject, Sun::new(0.0, 89.0, 0.3));
         let points = place.facing(24);
-        let off = differences(&place.seen(&gpu, Lighting::Sky(8, Turn::Fixed), &points), &place.sky_shares(&points, 8));
+        let off =
+            differences(&place.seen(&gpu, Lighting::Sky(8, Turn::Fixed, 0.0), &points), &place.sky_shares(&points, 8));
         // Rounding moves a horizon by a step and a thousandth of a texel; a wall is 65535 steps a texel.
         assert!(largest(&off) < 0.02 && rmse(&off) < 1e-3, "{}: {} {}", subject.name, largest(&off), rmse(&off));
     }
@@ -231,12 +232,12 @@ fn more_directions_come_closer_to_the_sky() {
         let points = place.facing(24);
         let truth = place.sky_shares(&points, 128);
         let error = |lighting| rmse(&differences(&place.seen(&gpu, lighting, &points), &truth));
-        let [four, eight, sixteen] = [4, 8, 16].map(|count| error(Lighting::Sky(count, Turn::Fixed)));
+        let [four, eight, sixteen] = [4, 8, 16].map(|count| error(Lighting::Sky(count, Turn::Fixed, 0.0)));
         assert!(sixteen < eight && eight < four && four < 0.1, "{}: {four} {eight} {sixteen}", subject.name);
         let fast = error(Lighting::FastSky(8, Turn::Fixed, 6));
         assert!(fast > eight, "the fast horizon is no better than the exact one: {fast} {eight}");
         // Jitter turns the error of a direction into noise: it must not be larger.
-        let jittered = error(Lighting::Sky(4, Turn::Jittered));
+        let jittered = error(Lighting::Sky(4, Turn::Jittered, 0.0));
         assert!(jittered < 1.5 * four, "{}: {jittered} {four}", subject.name);
     }
 }
@@ -251,7 +252,7 @@ fn tint_accepts_every_question_about_the_light() {
         Lighting::Published,
         Lighting::FastHorizon(8),
         Lighting::Cone(3, 0.5),
-        Lighting::Sky(8, Turn::Jittered),
+        Lighting::Sky(8, Turn::Jittered, 0.0625),
         Lighting::FastSky(4, Turn::Fixed, 6),
     ];
     let modules = all.map(|one| Module::with_pipelines(format!("{one:?}"), one.shader(&scene, 65535.0)));
