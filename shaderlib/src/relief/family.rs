@@ -60,6 +60,7 @@ const FAMILIES: &[Family] = &[
     },
     single("quadtree_relief_exact", &[Method::QuadtreeReliefExact]),
     single("robust_cone", &[Method::RobustCone]),
+    single("stride", &[Method::Stride]),
     Family {
         name: "cone_step",
         budget: "STEPS",

@@ -46,20 +46,15 @@ fn robust_cone_trace(
             break;
         }
         leaves++;
-        let sides = state.sides;
-        let cell = frame.base + vec2i(sides) - 1i;
-        let at = frame.origin + frame.direction * state.t;
-        let corners = relief_corners(heights, field, cell, frame.mirror);
-        let place = vec3f(at.xy - (sides - 1.0), at.z);
-        let t = state.t + relief_patch(corners, place, frame.direction, state.leave - state.t);
+        let t = robust_cone_patch(heights, field, frame, state);
         if t <= frame.end {
-            return ReliefHit(t, RELIEF_HIT, cell ^ frame.mirror, state.steps, leaves);
+            let cell = robust_cone_cell(frame, state.sides) ^ frame.mirror;
+            return ReliefHit(t, RELIEF_HIT, cell, state.steps, leaves);
         }
-        state.t = state.leave;
+        state = robust_cone_past(frame, state);
         if state.t >= frame.end {
             break;
         }
-        state.sides = robust_cone_next(sides, sides * frame.inverse + frame.before);
     }
     let outcome = select(RELIEF_UNRESOLVED, RELIEF_MISS, state.t >= frame.end);
     return ReliefHit(min(state.t, frame.end), outcome, vec2i(0), state.steps, leaves);
@@ -72,34 +67,65 @@ fn robust_cone_to_cell(
     frame: WalkFrame,
     start: RobustConeState,
 ) -> RobustConeState {
-    let falls = frame.direction.z < 0.0;
-    let across = max(frame.direction.x, frame.direction.y);
     var state = start;
     // One way out, at the top: of lanes that leave from the middle, before others, Mesa 22.3's llvmpipe keeps a part of what they
     // had before.
     var goes_on = true;
     while goes_on {
-        let cell = (frame.base + vec2i(state.sides) - 1i) ^ frame.mirror;
-        let cone = textureLoad(bounds, min(cell & field.wrap, field.last), field.layer, field.mip).rg;
-        let bound = f32(cone.x) + RELIEF_PAD;
-        // Five bits of exponent, from 2^-14, and eleven of mantissa.
-        let slope = bitcast<f32>((cone.y << 12u) + 0x38800000u);
-        let reach = state.sides * frame.inverse + frame.before;
-        state.leave = max(min(reach.x, reach.y), state.t);
-        let gap = frame.origin.z + frame.direction.z * state.t - bound;
-        let lowest = gap + frame.direction.z * select(0.0, state.leave - state.t, falls);
-        state.steps++;
-        state.stands = lowest <= 0.0;
-        let free = gap - slope * ROBUST_CONE_ROUNDING * (state.t + 1.0);
-        // A ray that rises as steeply as the cone never leaves it.
-        let closing = max(slope * across - frame.direction.z, 1e-6);
-        let far = max(state.t + free / closing, state.leave);
-        let at = floor(frame.origin.xy + frame.direction.xy * far) + 1.0;
-        state.sides = select(max(robust_cone_next(state.sides, reach), at), state.sides, state.stands);
-        state.t = select(far, state.t, state.stands);
+        state = robust_cone_step(bounds, field, frame, state);
         goes_on = !state.stands && state.t < frame.end && state.steps < field.limit;
     }
     return state;
+}
+
+/// From a cell to the next, or as far as its cone leads. Where its patch may be hit it stands.
+fn robust_cone_step(
+    bounds: texture_2d_array<u32>,
+    field: ReliefField,
+    frame: WalkFrame,
+    state: RobustConeState,
+) -> RobustConeState {
+    let cell = robust_cone_cell(frame, state.sides) ^ frame.mirror;
+    let cone = textureLoad(bounds, min(cell & field.wrap, field.last), field.layer, field.mip).rg;
+    let bound = f32(cone.x) + RELIEF_PAD;
+    // Five bits of exponent, from 2^-14, and eleven of mantissa.
+    let slope = bitcast<f32>((cone.y << 12u) + 0x38800000u);
+    let reach = state.sides * frame.inverse + frame.before;
+    let leave = max(min(reach.x, reach.y), state.t);
+    let gap = frame.origin.z + frame.direction.z * state.t - bound;
+    let lowest = gap + frame.direction.z * select(0.0, leave - state.t, frame.falls);
+    let stands = lowest <= 0.0;
+    let free = gap - slope * ROBUST_CONE_ROUNDING * (state.t + 1.0);
+    // A ray that rises as steeply as the cone never leaves it.
+    let closing = max(slope * max(frame.direction.x, frame.direction.y) - frame.direction.z, 1e-6);
+    let far = max(state.t + free / closing, leave);
+    let at = floor(frame.origin.xy + frame.direction.xy * far) + 1.0;
+    let sides = select(max(robust_cone_next(state.sides, reach), at), state.sides, stands);
+    return RobustConeState(sides, select(far, state.t, stands), leave, state.steps + 1u, stands);
+}
+
+/// t of the hit on the patch of the cell that it stands on, or RELIEF_NEVER and more.
+fn robust_cone_patch(
+    heights: texture_2d_array<u32>,
+    field: ReliefField,
+    frame: WalkFrame,
+    state: RobustConeState,
+) -> f32 {
+    let at = frame.origin + frame.direction * state.t;
+    let corners = relief_corners(heights, field, robust_cone_cell(frame, state.sides), frame.mirror);
+    let place = vec3f(at.xy - (state.sides - 1.0), at.z);
+    return state.t + relief_patch(corners, place, frame.direction, state.leave - state.t);
+}
+
+/// Behind the cell that it stands on.
+fn robust_cone_past(frame: WalkFrame, state: RobustConeState) -> RobustConeState {
+    let sides = robust_cone_next(state.sides, state.sides * frame.inverse + frame.before);
+    return RobustConeState(sides, state.leave, state.leave, state.steps, false);
+}
+
+/// The cell with these far sides, in the mirrored frame.
+fn robust_cone_cell(frame: WalkFrame, sides: vec2f) -> vec2i {
+    return frame.base + vec2i(sides) - 1i;
 }
 
 /// The far sides of the cell beyond the nearer side.

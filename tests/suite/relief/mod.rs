@@ -85,6 +85,11 @@ fn robust_cones_are_exact() {
 }
 
 #[test]
+fn the_stride_is_exact() {
+    exact(Method::Stride);
+}
+
+#[test]
 fn the_sprint_is_exact() {
     exact(Method::Sprint);
 }
@@ -121,7 +126,7 @@ fn published_cones_are_not() {
 fn a_search_that_is_cut_short_says_so() {
     let Some(gpu) = device() else { return };
     let (heights, sent) = lands(600, 1).find(|(heights, _)| heights.size() == [64, 64]).expect("one of the sizes");
-    for method in [Method::RobustCone, Method::ConeStep(0)] {
+    for method in [Method::RobustCone, Method::Stride, Method::ConeStep(0)] {
         let trace = |limit| {
             let placed = Placed::new(&heights, method.bounds(), limit).expect("filtered");
             let tracer = Tracer::new(&gpu, &heights, &placed, method).expect("the device takes it");
@@ -171,6 +176,7 @@ fn tint_accepts_every_method() {
         Method::QuadtreeRelief(0),
         Method::QuadtreeReliefExact,
         Method::RobustCone,
+        Method::Stride,
         Method::ConeStep(0),
         Method::ConeStep(16),
         Method::RelaxedCone(15, 8),

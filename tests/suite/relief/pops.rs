@@ -155,5 +155,9 @@ fn a_step_between_mips_is_found_out() {
 
 #[test]
 fn a_look_at_one_mip_alone_is_found_out() {
-    expect_jump(&DOWN, ["return displaced_between(fine, coarse, part);", "return fine;"], "level 1.00");
+    expect_jump(
+        &DOWN,
+        ["return select(part, 1.0 - part, coarser == 0i);", "return select(0.0, 1.0, coarser == 0i);"],
+        "level 1.00",
+    );
 }

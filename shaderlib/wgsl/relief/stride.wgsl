@@ -1,0 +1,35 @@
+//! Robust cones in one loop: for GPUs, which wait for what they load, and where lanes that have come to a cell would wait for the
+//! last one of theirs to come to its own.
+//!
+//! It visits the cells that `robust_cone` visits, and is exact for the same reasons. There a loop goes from cone to cone and
+//! another intersects patches, since llvmpipe does the work of all branches for all lanes; here each lane intersects its patch as
+//! soon as it stands on it. On an NVIDIA H100 that takes 0.5 to 0.95 of the time of two loops, on llvmpipe 1.3 to 1.7 times it.
+//! Source: Terrane; see `robust_cone`.
+
+/// The first hit of a ray.
+fn stride_trace(
+    heights: texture_2d_array<u32>,
+    bounds: texture_2d_array<u32>,
+    field: ReliefField,
+    ray: ReliefRay,
+) -> ReliefHit {
+    let frame = walk_frame(ray);
+    var state = RobustConeState(vec2f(1.0), 0.0, 0.0, 0u, false);
+    var leaves = 0u;
+    var goes_on = true;
+    while goes_on {
+        state = robust_cone_step(bounds, field, frame, state);
+        if state.stands {
+            leaves++;
+            let t = robust_cone_patch(heights, field, frame, state);
+            if t <= frame.end {
+                let cell = robust_cone_cell(frame, state.sides) ^ frame.mirror;
+                return ReliefHit(t, RELIEF_HIT, cell, state.steps, leaves);
+            }
+            state = robust_cone_past(frame, state);
+        }
+        goes_on = state.t < frame.end && state.steps < field.limit;
+    }
+    let outcome = select(RELIEF_UNRESOLVED, RELIEF_MISS, state.t >= frame.end);
+    return ReliefHit(min(state.t, frame.end), outcome, vec2i(0), state.steps, leaves);
+}
