@@ -42,8 +42,7 @@ impl Sent {
         let setups: Vec<Option<Setup>> =
             segments.par_iter().map(|segment| Setup::new(heights, range, segment)).collect();
         let rays: Vec<DeviceRay> = setups.iter().flatten().map(|setup| setup.ray).collect();
-        let parts = rays.chunks(ROWS * COLUMNS).map(|part| Part::new(gpu, part)).collect::<Result<_, _>>()?;
-        Ok(Self { setups, parts })
+        Ok(Self { setups, parts: Part::all(gpu, &rays)? })
     }
 
     /// What the method found that traced them last.
@@ -65,7 +64,12 @@ impl Sent {
 }
 
 impl Part {
-    pub(super) fn new(gpu: &Gpu, rays: &[DeviceRay]) -> Result<Self, RenderError> {
+    /// Uploads rays.
+    pub(super) fn all(gpu: &Gpu, rays: &[DeviceRay]) -> Result<Vec<Self>, RenderError> {
+        rays.chunks(ROWS * COLUMNS).map(|part| Self::new(gpu, part)).collect()
+    }
+
+    fn new(gpu: &Gpu, rays: &[DeviceRay]) -> Result<Self, RenderError> {
         let size = (rays.len() * size_of::<DeviceHit>()) as u64;
         let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
         let hits = wgpu::BufferDescriptor { label: Some("hits"), size, usage, mapped_at_creation: false };
@@ -94,6 +98,7 @@ impl Part {
         }
     }
 
+    /// One answer for each ray.
     pub(super) fn read(&self, gpu: &Gpu) -> Result<Vec<DeviceHit>, RenderError> {
         let usage = wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ;
         let size = self.hits.size();

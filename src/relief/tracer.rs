@@ -66,7 +66,7 @@ pub(super) struct DeviceHit {
 const LONG_ENOUGH: Duration = Duration::from_millis(5);
 
 /// Passes at most.
-const MOST: f64 = 10_000.0;
+const MOST: u32 = 10_000;
 
 impl<'a> Tracer<'a> {
     /// Uploads the map and compiles the method; `placed` is the map with the bounds of the method.
@@ -157,11 +157,7 @@ impl<'a> Tracer<'a> {
     /// # Errors
     /// [`RenderError::Lost`] where the device fails.
     pub fn time(&self, sent: &Sent) -> Result<Duration, RenderError> {
-        let mut time = Duration::ZERO;
-        for part in &sent.parts {
-            time += self.time_part(part)?;
-        }
-        Ok(time)
+        sent.parts.iter().map(|part| self.time_part(part)).sum()
     }
 
     /// Sends rays, traces them once and reads what was found.
@@ -176,9 +172,12 @@ impl<'a> Tracer<'a> {
 
     /// One answer for each ray.
     pub(super) fn run(&self, rays: &[DeviceRay]) -> Result<(Vec<DeviceHit>, Duration), RenderError> {
-        let part = Part::new(self.gpu, rays)?;
-        let time = self.time_part(&part)?;
-        Ok((part.read(self.gpu)?, time))
+        let (mut hits, mut time) = (Vec::new(), Duration::ZERO);
+        for part in Part::all(self.gpu, rays)? {
+            time += self.time_part(&part)?;
+            hits.extend(part.read(self.gpu)?);
+        }
+        Ok((hits, time))
     }
 
     /// A GPU that waited has slowed down, and its clock is coarse: it traces more and more often, until that takes long enough
@@ -188,11 +187,11 @@ impl<'a> Tracer<'a> {
         let mut times = 1;
         loop {
             let took = self.time_passes(part, &group, times)?;
-            let more = LONG_ENOUGH.as_secs_f64() / took.as_secs_f64().max(1e-6);
-            if self.timing != Timing::Device || more <= 1.0 {
+            if self.timing != Timing::Device || took >= LONG_ENOUGH || times == MOST {
                 return Ok(took / times);
             }
-            times = (f64::from(times) * more * 1.5).ceil().min(MOST) as u32;
+            let more = 1.5 * LONG_ENOUGH.as_secs_f64() / took.as_secs_f64().max(1e-6);
+            times = (f64::from(times) * more).ceil().min(f64::from(MOST)) as u32;
         }
     }
 

@@ -225,6 +225,29 @@ fn occlusion_is_that_of_its_directions() {
 }
 
 #[test]
+fn small_rises_that_are_passed_over_only_let_a_little_light_in() {
+    let Some(gpu) = device() else { return };
+    let tolerance = 0.0625;
+    for subject in subjects(128) {
+        let place = Place::new(&subject, Sun::new(0.0, 89.0, 0.3));
+        let points = place.facing(24);
+        let [exact, fast] = [0.0, tolerance].map(|one| place.seen(&gpu, Lighting::Sky(4, Turn::Fixed, one), &points));
+        let more = exact.iter().zip(&fast).map(|(exact, fast)| fast.share.unwrap_or(9.0) - exact.share.unwrap_or(0.0));
+        // A share falls by at most twice what the tangent of all horizons rises by.
+        let more: Vec<f64> = more.collect();
+        let allowed = -1e-3..=2.0 * f64::from(tolerance) + 1e-3;
+        assert!(more.iter().all(|more| allowed.contains(more)), "{}: by {}", subject.name, largest(&more));
+        let mean = more.iter().sum::<f64>() / more.len() as f64;
+        assert!(mean <= f64::from(tolerance) / 4.0, "{}: {mean} too bright", subject.name);
+        let loads = |seen: &[Seen]| seen.iter().map(|one| one.steps + one.leaves).sum::<u32>();
+        assert!(loads(&fast) <= loads(&exact), "{}: {} loads, {} without", subject.name, loads(&fast), loads(&exact));
+        if ["hills", "cracked_rock", "pebbles"].contains(&&*subject.name) {
+            assert!(2 * loads(&fast) < loads(&exact) + loads(&exact) / 2, "{}: nothing is gained", subject.name);
+        }
+    }
+}
+
+#[test]
 fn more_directions_come_closer_to_the_sky() {
     let Some(gpu) = device() else { return };
     for subject in subjects(64).iter().filter(|subject| ["cracked_rock", "pebbles"].contains(&subject.name.as_str())) {
