@@ -88,8 +88,8 @@ impl Field {
     /// The number that a fraction of all texels is below.
     pub fn quantile(&self, fraction: f32) -> f32 {
         let mut sorted = self.data.clone();
-        let index = ((sorted.len() - 1) as f32 * fraction) as usize;
-        *sorted.select_nth_unstable_by(index, f32::total_cmp).1
+        let rank = rank(sorted.len(), fraction);
+        *sorted.select_nth_unstable_by(rank, f32::total_cmp).1
     }
 
     /// Stretched so that two quantiles come to 0 and 1, and what lies beyond is cut.
@@ -102,5 +102,22 @@ impl Field {
     /// Stretched so that the least number is 0 and the greatest 1.
     pub fn stretched(&self) -> Self {
         self.normalised(0.0, 1.0)
+    }
+}
+
+/// Where in so many sorted numbers a fraction of them is below. A last index of more than 24 bits is rounded up as a float.
+fn rank(count: usize, fraction: f32) -> usize {
+    let last = count - 1;
+    ((last as f32 * fraction) as usize).min(last)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::rank;
+
+    #[test]
+    fn the_last_of_as_many_texels_as_8192_by_8192_has_a_rank() {
+        assert_eq!([rank(1 << 26, 1.0), rank(1 << 26, 0.0), rank(1, 1.0)], [(1 << 26) - 1, 0, 0]);
+        assert_eq!(rank(11, 0.9), 9);
     }
 }
