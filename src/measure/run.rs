@@ -67,7 +67,7 @@ pub fn measure(gpu: &Gpu, subject: &Subject, plan: &Plan, progress: Progress) ->
         let rays = view.rays(&subject.heights, subject.full);
         let truth = truth(&subject.heights, &rays);
         phase.advance(1);
-        let (times, traced) = rounds(gpu, &tracers, &rays, plan.traces(), &phase)?;
+        let (times, traced) = rounds(&tracers, &rays, plan.traces(), &phase)?;
         let one = Scene { subject, view, rays: &rays, truth: &truth, timing: Timing::of(gpu) };
         rows.extend(methods.iter().enumerate().map(|(index, method)| {
             let times =
@@ -104,7 +104,6 @@ fn tracers<'a>(
 
 /// Nanoseconds a ray of every counted round, and what the first one found.
 fn rounds(
-    gpu: &Gpu,
     tracers: &[Tracer<'_>],
     rays: &[Segment],
     traces: u32,
@@ -115,7 +114,7 @@ fn rounds(
     let Some(sent) = tracers.first().map(|tracer| tracer.send(rays)).transpose()? else { return Ok((times, traced)) };
     for tracer in tracers {
         tracer.time(&sent)?;
-        traced.push(sent.read(gpu)?);
+        traced.push(tracer.read(&sent)?);
     }
     phase.advance(1);
     for _ in 1..traces {

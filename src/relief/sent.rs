@@ -46,10 +46,7 @@ impl Sent {
     }
 
     /// What the method found that traced them last.
-    ///
-    /// # Errors
-    /// [`RenderError::Lost`] where the device fails.
-    pub fn read(&self, gpu: &Gpu) -> Result<Vec<Traced>, RenderError> {
+    pub(super) fn read(&self, gpu: &Gpu) -> Result<Vec<Traced>, RenderError> {
         let mut hits = Vec::new();
         for part in &self.parts {
             hits.extend(part.read(gpu)?);

@@ -160,14 +160,22 @@ impl<'a> Tracer<'a> {
         sent.parts.iter().map(|part| self.time_part(part)).sum()
     }
 
-    /// Sends rays, traces them once and reads what was found.
+    /// What was found of what was sent, by the method that traced it last.
+    ///
+    /// # Errors
+    /// [`RenderError::Lost`] where the device fails.
+    pub fn read(&self, sent: &Sent) -> Result<Vec<Traced>, RenderError> {
+        sent.read(self.gpu)
+    }
+
+    /// Sends rays, traces them and reads what was found.
     ///
     /// # Errors
     /// Those of [`Self::send`] and [`Self::time`].
     pub fn trace(&self, segments: &[Segment]) -> Result<(Vec<Traced>, Duration), RenderError> {
         let sent = self.send(segments)?;
         let time = self.time(&sent)?;
-        Ok((sent.read(self.gpu)?, time))
+        Ok((self.read(&sent)?, time))
     }
 
     /// One answer for each ray.

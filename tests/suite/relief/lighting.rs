@@ -232,9 +232,9 @@ fn small_rises_that_are_passed_over_only_let_a_little_light_in() {
         let place = Place::new(&subject, Sun::new(0.0, 89.0, 0.3));
         let points = place.facing(24);
         let [exact, fast] = [0.0, tolerance].map(|one| place.seen(&gpu, Lighting::Sky(4, Turn::Fixed, one), &points));
-        let more = exact.iter().zip(&fast).map(|(exact, fast)| fast.share.unwrap_or(9.0) - exact.share.unwrap_or(0.0));
+        let more = |(exact, fast): (&Seen, &Seen)| fast.share.expect("resolved") - exact.share.expect("resolved");
+        let more: Vec<f64> = exact.iter().zip(&fast).map(more).collect();
         // A share falls by at most twice what the tangent of all horizons rises by.
-        let more: Vec<f64> = more.collect();
         let allowed = -1e-3..=2.0 * f64::from(tolerance) + 1e-3;
         assert!(more.iter().all(|more| allowed.contains(more)), "{}: by {}", subject.name, largest(&more));
         let mean = more.iter().sum::<f64>() / more.len() as f64;
@@ -242,7 +242,7 @@ fn small_rises_that_are_passed_over_only_let_a_little_light_in() {
         let loads = |seen: &[Seen]| seen.iter().map(|one| one.steps + one.leaves).sum::<u32>();
         assert!(loads(&fast) <= loads(&exact), "{}: {} loads, {} without", subject.name, loads(&fast), loads(&exact));
         if ["hills", "cracked_rock", "pebbles"].contains(&&*subject.name) {
-            assert!(2 * loads(&fast) < loads(&exact) + loads(&exact) / 2, "{}: nothing is gained", subject.name);
+            assert!(4 * loads(&fast) < 3 * loads(&exact), "{}: nothing is gained", subject.name);
         }
     }
 }
