@@ -6,7 +6,8 @@ use std::path::Path;
 use terrane_codegen::compile::Compiled;
 use terrane_codegen::graph::model::{Scene, Shadow, Terrain};
 use terrane_codegen::manifest::{ReliefArrayInfo, UniformInfo};
-use terrane_shaderlib::relief::Bounds;
+use terrane_codegen::program::ProgramRelief;
+use terrane_shaderlib::relief::MapTexture;
 
 use crate::render::material::{Format, Material, Relief, Sampling, TextureArray, decode};
 use crate::render::{Camera, HeightField, RenderError, RenderScene};
@@ -51,17 +52,17 @@ pub fn material(compiled: &Compiled, root: &Path) -> Material {
 
 /// Height maps of one size.
 fn map(array: &ReliefArrayInfo, compiled: &Compiled, root: &Path) -> Relief {
+    let bindings = array.textures.iter().map(|texture| texture.binding);
     Relief {
-        bindings: [array.heights.binding, array.bounds.binding],
-        size: (array.heights.width, array.heights.height),
-        bounds: bounds(compiled),
+        size: (array.size[0], array.size[1]),
+        textures: bindings.zip(map_textures(compiled)).collect(),
         maps: array.sources.iter().map(|source| (root.join(&source.file), source.channel)).collect(),
     }
 }
 
-/// What the tracer of a shader knows of its maps.
-pub fn bounds(compiled: &Compiled) -> Bounds {
-    compiled.program.relief.as_ref().map_or(Bounds::None, |relief| relief.trace.method.search().bounds())
+/// What a shader reads of its height maps, in the order of the manifest.
+pub fn map_textures(compiled: &Compiled) -> Vec<MapTexture> {
+    compiled.program.relief.as_ref().map_or(Vec::new(), ProgramRelief::textures)
 }
 
 /// The uniform block with every parameter at its default.

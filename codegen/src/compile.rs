@@ -3,19 +3,16 @@
 use terrane_shaderlib::hosts::Host;
 
 use crate::check::{Checked, check};
-use crate::diagnostic::{Code, Diagnostic, Sources};
+use crate::diagnostic::{Diagnostic, Sources};
 use crate::emit::{Shader, core, host};
 use crate::graph::model::{GraphId, Graphs, Terrain};
 use crate::library::Library;
 use crate::manifest::{Manifest, Parts, manifest};
 use crate::patch::{Combination, Specialization, specialize};
-use crate::program::{Options, Program, ReliefArray, affine};
+use crate::program::{Options, Program, affine};
+use crate::stage::limits;
 
-/// More textures than WebGPU promises.
-pub const TOO_MANY_TEXTURES: Code = Code { id: "TG201", name: "too-many-textures" };
-
-/// WebGPU's default limit of sampled textures and of samplers in a stage.
-const STAGE_LIMIT: usize = 16;
+pub use crate::stage::TOO_MANY_TEXTURES;
 
 /// A compiled terrain or surface.
 #[derive(Debug)]
@@ -41,7 +38,7 @@ pub struct Compiler<'a> {
     pub library: &'a Library,
     /// The texts that spans point into.
     pub sources: &'a Sources,
-    /// The host's own WGSL. The textures that it declares count against a stage's 16.
+    /// The host's own WGSL. The textures that it declares count against a stage's limit.
     pub host: &'a Host,
     /// What is optimised.
     pub options: Options,
@@ -72,7 +69,7 @@ impl Compiler<'_> {
         program.keep(&patch.live);
         program.keep_reliefs(&patch.layers);
         let text = self.host.displaced.as_ref().filter(|_| patch.relief.is_some()).unwrap_or(&self.host.flat);
-        self.limits(&program, text)?;
+        limits(&program, text)?;
         affine(&program, self.library).map_err(|found| vec![*found])?;
         let core = core(self.library, &program, &patch);
         let host = host(self.library, &program, &patch, text);
@@ -81,24 +78,5 @@ impl Compiler<'_> {
         let parts = Parts { program: &program, patch: &patch, core: &core, host: &host, checked: &checked, terrain };
         let manifest = manifest(&parts, self.sources);
         Ok(Compiled { program, patch, core, host, checked, manifest })
-    }
-
-    fn limits(&self, program: &Program, host: &str) -> Result<(), Vec<Diagnostic>> {
-        let free = STAGE_LIMIT.saturating_sub(crate::library::texture_variables(host));
-        let reliefs = program.relief.iter().flat_map(|relief| &relief.arrays);
-        let needed = program.arrays.len() + 2 * reliefs.clone().count();
-        if needed <= free {
-            return Ok(());
-        }
-        let files = |array: &ReliefArray| array.maps.iter().map(|map| map.file.clone()).collect::<Vec<_>>().join(", ");
-        let sizes = program.arrays.iter().map(|array| format!("`{}`: {}", array.name(), array.files.join(", ")));
-        let reliefs = reliefs.map(|array| format!("`{}`, `{}`: {}", array.heights(), array.bounds(), files(array)));
-        let sizes: Vec<String> = sizes.chain(reliefs).collect();
-        let message = format!("the materials need {needed} texture arrays, the host leaves {free}");
-        let place = program.layers[0].span;
-        let finding = Diagnostic::error(TOO_MANY_TEXTURES, place, message)
-            .help("files of equal size and format share an array: bring the textures to few sizes and formats")
-            .note(sizes.join("\n"));
-        Err(vec![finding])
     }
 }

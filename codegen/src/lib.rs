@@ -23,4 +23,5 @@ pub mod machine;
 pub mod manifest;
 pub mod patch;
 pub mod program;
+mod stage;
 pub mod value;

@@ -14,7 +14,7 @@ use terrane::{content, file, scene};
 #[command(after_help = "Example:\n  terrane build graphs/terrains/alpine.ron -o out
 
 Writes NAME.core.wgsl (functions and structs), NAME.wgsl (the same with plain WebGPU entry points),
-NAME.json (the manifest), the PNG files that the manifest names, and of each relief its heights and bounds as texels.")]
+NAME.json (the manifest), the PNG files that the manifest names, and the texels that are read of each relief.")]
 pub(crate) struct Build {
     /// A terrain or a surface
     #[arg(value_name = "GRAPH")]
@@ -78,16 +78,16 @@ fn copy_textures(project: &Project, compiled: &Compiled, output: &Path) -> Resul
     write_reliefs(project, compiled, output)
 }
 
-/// Heights and bounds of every height map that is traced, as the device takes them.
+/// What is read of every height map that is traced, as the device takes it.
 fn write_reliefs(project: &Project, compiled: &Compiled, output: &Path) -> Result<(), Failure> {
-    let arrays = compiled.manifest.relief.iter().flat_map(|relief| &relief.arrays);
-    for array in arrays {
-        let size = (array.heights.width, array.heights.height);
-        let files = array.heights.layers.iter().zip(&array.bounds.layers);
-        for (source, (heights, bounds)) in array.sources.iter().zip(files) {
-            let placed = map(&project.root().join(&source.file), source.channel, size, scene::bounds(compiled))?;
-            file::write(&output.join(heights), &bytes(&placed.heights))?;
-            file::write(&output.join(bounds), &bytes(&placed.bounds))?;
+    let wanted = scene::map_textures(compiled);
+    for array in compiled.manifest.relief.iter().flat_map(|relief| &relief.arrays) {
+        for (layer, source) in array.sources.iter().enumerate() {
+            let size = (array.size[0], array.size[1]);
+            let planes = map(&project.root().join(&source.file), source.channel, size, &wanted)?;
+            for (texture, plane) in array.textures.iter().zip(&planes) {
+                file::write(&output.join(&texture.layers[layer]), &bytes(plane))?;
+            }
         }
     }
     Ok(())

@@ -3,20 +3,17 @@
 use std::path::Path;
 
 use terrane_shaderlib::heightfield::{Border, Heights, Texels};
-use terrane_shaderlib::relief::{Bounds, Placed, Plane, Words};
+use terrane_shaderlib::relief::{MapTexture, Plane, Words, planes};
 
 use crate::render::RenderError;
 use crate::render::material::{Samples, open, samples};
 
-/// Nodes after which the shaders of materials give a search up; they bring their own number, this one is not read.
-const LIMIT: u32 = 16_384;
-
-/// A channel of a PNG that repeats, as 16-bit heights with their bounds.
+/// What shaders read of a channel of a PNG that repeats, as heights of 16 bits.
 ///
 /// # Errors
 /// [`RenderError::Texture`] for a file that cannot be read or has another size.
-pub fn map(path: &Path, channel: u8, size: (u32, u32), bounds: Bounds) -> Result<Placed, RenderError> {
-    read(path, channel, size, bounds).map_err(|reason| RenderError::Texture { path: path.to_owned(), reason })
+pub fn map(path: &Path, channel: u8, size: (u32, u32), textures: &[MapTexture]) -> Result<Vec<Plane>, RenderError> {
+    read(path, channel, size, textures).map_err(|reason| RenderError::Texture { path: path.to_owned(), reason })
 }
 
 /// The texels of a plane as a file holds them: little-endian, row by row, mip after mip.
@@ -31,7 +28,7 @@ pub fn bytes(plane: &Plane) -> Vec<u8> {
     }
 }
 
-fn read(path: &Path, channel: u8, size: (u32, u32), bounds: Bounds) -> Result<Placed, String> {
+fn read(path: &Path, channel: u8, size: (u32, u32), textures: &[MapTexture]) -> Result<Vec<Plane>, String> {
     let mut reader = open(path)?;
     let (width, height) = reader.info().size();
     if (width, height) != size {
@@ -48,5 +45,5 @@ fn read(path: &Path, channel: u8, size: (u32, u32), bounds: Bounds) -> Result<Pl
     };
     let heights =
         Heights::new([width, height], Border::Wrap, Texels::U16(texels)).map_err(|error| error.to_string())?;
-    Placed::new(&heights, bounds, LIMIT).map_err(|error| error.to_string())
+    planes(&heights, textures).map_err(|error| error.to_string())
 }

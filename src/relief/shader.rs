@@ -2,7 +2,7 @@
 
 use terrane_codegen::diagnostic::Sources;
 use terrane_codegen::library::Library;
-use terrane_shaderlib::relief::Method;
+use terrane_shaderlib::relief::{MapTexture, Method};
 
 use crate::render::Gpu;
 
@@ -77,8 +77,8 @@ fn call(method: Method, field: &str) -> String {
 pub(super) fn with_call(method: Method, call: &str, more: &str) -> String {
     let library =
         Library::load(&mut Sources::default(), &[]).expect("the shipped library is right, which its tests show");
-    let [heights, bounds] = method.textures();
-    let host = HOST.replace("HEIGHTS", heights).replace("BOUNDS", bounds).replace("COLUMNS", &COLUMNS.to_string());
+    let [heights, bounds] = [method.reads()[0], MapTexture::Bounds(method.bounds())].map(MapTexture::wgsl);
+    let host = HOST.replace("HEIGHTS", &heights).replace("BOUNDS", &bounds).replace("COLUMNS", &COLUMNS.to_string());
     let host = host.replace("CALL", call) + more;
     let items = library.closure(&host);
     let declarations = items.iter().map(|item| library.slice(*item).to_owned() + "\n");

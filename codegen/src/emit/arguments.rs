@@ -8,18 +8,17 @@ use crate::program::{Program, ValueId};
 /// Names and types, in order.
 pub(crate) struct Arguments(Vec<(String, String)>);
 
-/// What a function that computes `live` is given: the place, `before`, then what the values read, then `behind`. Both are
-/// written as WGSL does, `name: type`.
-pub(crate) fn arguments(program: &Program, live: &BTreeSet<ValueId>, before: &[&str], behind: &[String]) -> Arguments {
+/// What a function that computes `live` is given: the place, `more`, which is written as WGSL does, `name: type`, then what the
+/// values read.
+pub(crate) fn arguments(program: &Program, live: &BTreeSet<ValueId>, more: &[&str]) -> Arguments {
     let mut all = vec!["terrain: TerrainIn".to_owned()];
-    all.extend(before.iter().map(|argument| (*argument).to_owned()));
+    all.extend(more.iter().map(|argument| (*argument).to_owned()));
     if !parameters(program, live).is_empty() {
         all.push("parameters: TerrainParameters".into());
     }
     let (arrays, samplers) = resources(program, live);
     all.extend(arrays.iter().map(|array| format!("{}: texture_2d_array<f32>", program.arrays[*array].name())));
     all.extend(samplers.iter().map(|sampler| format!("{}: sampler", program.samplers[*sampler].name())));
-    all.extend(behind.iter().cloned());
     let part = |argument: &String| argument.split_once(": ").map(|(name, ty)| (name.to_owned(), ty.to_owned()));
     Arguments(all.iter().filter_map(part).collect())
 }

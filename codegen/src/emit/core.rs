@@ -65,7 +65,7 @@ pub(super) fn body_with(
     structs(&mut shader, program, patch);
     let names = Names::new(library, program, &patch.live);
     shader.line("/// The look of the ground at one place.");
-    let given = arguments(program, &patch.live, &[], &[]);
+    let given = arguments(program, &patch.live, &[]);
     shader.open(&format!("fn {name}({}) -> {result}", given.declared()));
     write(&mut shader, &names);
     shader.close();

@@ -59,7 +59,7 @@ fn terrain(program: &Program, patch: &Specialization) -> String {
 }
 
 fn shade(shader: &mut Shader, program: &Program, patch: &Specialization) {
-    let given = arguments(program, &patch.live, &[], &[]);
+    let given = arguments(program, &patch.live, &[]);
     let rest = given.names().skip(1).map(|name| format!("terrane_{name}"));
     let all: Vec<String> = std::iter::once(terrain(program, patch)).chain(rest).collect();
     shader.line("");
@@ -72,7 +72,7 @@ fn shade(shader: &mut Shader, program: &Program, patch: &Specialization) {
 /// The displaced ground with its resources.
 fn ground(shader: &mut Shader, program: &Program, patch: &Specialization, part: &ReliefPart) {
     let Some(relief) = &program.relief else { return };
-    let given = relief_arguments(program, relief, part);
+    let given = relief_arguments(program, part);
     let value = |(index, name): (usize, &str)| match index {
         0 => terrain(program, patch),
         // The ground's axes and the width of a pixel come from the host.
@@ -133,7 +133,7 @@ pub(crate) fn sampler_binding(program: &Program, sampler: usize) -> usize {
     1 + program.arrays.len() + sampler
 }
 
-/// Height maps follow the samplers: of each array its heights, then its bounds.
+/// Height maps follow the samplers, in the order of [`ProgramRelief::maps`](crate::program::ProgramRelief::maps).
 pub(crate) fn relief_binding(program: &Program, texture: usize) -> usize {
     sampler_binding(program, program.samplers.len()) + texture
 }

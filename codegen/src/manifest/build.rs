@@ -2,6 +2,7 @@
 
 use naga::TypeInner;
 use sha2::{Digest, Sha256};
+use terrane_shaderlib::relief::MapTexture;
 
 use super::relief::relief;
 use super::{
@@ -134,6 +135,7 @@ fn textures(program: &Program) -> Vec<TextureInfo> {
         format: array.format.webgpu().into(),
         dimension: "2d-array".into(),
         sample_type: "float".into(),
+        access: None,
         width: array.size.0,
         height: array.size.1,
         mip_levels: array.size.0.max(array.size.1).max(1).ilog2() + 1,
@@ -165,16 +167,17 @@ fn samplers(program: &Program) -> Vec<SamplerInfo> {
 
 fn limits(program: &Program, uniform: Option<&UniformInfo>) -> LimitsInfo {
     LimitsInfo {
-        sampled_textures: (program.arrays.len() + 2 * reliefs(program)) as u32,
+        sampled_textures: (program.arrays.len() + maps(program, |texture| !texture.is_storage())) as u32,
+        storage_textures: maps(program, MapTexture::is_storage) as u32,
         samplers: program.samplers.len() as u32,
         uniform_bytes: uniform.map_or(0, |uniform| uniform.size),
         texture_array_layers: program.arrays.iter().map(|array| array.files.len() as u32).max().unwrap_or(0),
     }
 }
 
-/// Arrays of height maps.
-fn reliefs(program: &Program) -> usize {
-    program.relief.as_ref().map_or(0, |relief| relief.arrays.len())
+/// Textures of height maps that count.
+fn maps(program: &Program, counts: fn(MapTexture) -> bool) -> usize {
+    program.relief.iter().flat_map(|relief| relief.maps()).filter(|(_, texture)| counts(*texture)).count()
 }
 
 fn permutation(parts: &Parts<'_>, sources: &Sources) -> PermutationInfo {

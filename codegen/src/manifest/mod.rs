@@ -140,6 +140,10 @@ pub struct TextureInfo {
     pub dimension: String,
     /// `float`: filterable; `uint` for those of a relief.
     pub sample_type: String,
+    /// WebGPU's access to a storage texture, `read-only`, which takes WGSL's `readonly_and_readwrite_storage_textures`; absent
+    /// for one that is sampled.
+    #[serde(skip_serializing_if = "Option::is_none", default)]
+    pub access: Option<String>,
     /// Texels.
     pub width: u32,
     /// Texels.
@@ -170,7 +174,7 @@ pub struct SamplerInfo {
 /// The displaced surface: functions of the core, and the textures that they read.
 ///
 /// `terrane_relief` places it under a pixel, `terrane_displace` traces the eye's ray, `terrane_relief_shadow` and
-/// `terrane_relief_occlusion` are there if the terrain asks for them. The last arguments of all are the textures, in order.
+/// `terrane_relief_occlusion` are there if the terrain asks for them. The last arguments of the three are the textures, in order.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct ReliefInfo {
     /// How rays are traced: the method, as `terrane measure` names it.
@@ -181,17 +185,17 @@ pub struct ReliefInfo {
     pub fade: [f32; 2],
     /// Metres from the ground to the lowest point.
     pub deepest: f32,
-    /// Height maps, with their bounds.
+    /// Height maps, with what is known of them.
     pub arrays: Vec<ReliefArrayInfo>,
 }
 
-/// Height maps of one size in two texture arrays.
+/// Height maps of one size.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct ReliefArrayInfo {
-    /// The heights, all mips.
-    pub heights: TextureInfo,
-    /// The bounds over them.
-    pub bounds: TextureInfo,
+    /// Texels of every map.
+    pub size: [u32; 2],
+    /// The textures over them: heights, and what the tracer and the lights know of them.
+    pub textures: Vec<TextureInfo>,
     /// The image that each layer was made of.
     pub sources: Vec<ReliefSourceInfo>,
 }
@@ -210,6 +214,8 @@ pub struct ReliefSourceInfo {
 pub struct LimitsInfo {
     /// Of WebGPU's 16 in a stage.
     pub sampled_textures: u32,
+    /// Of WebGPU's 4 in a stage.
+    pub storage_textures: u32,
     /// Of WebGPU's 16 in a stage.
     pub samplers: u32,
     /// Of WebGPU's 65536.

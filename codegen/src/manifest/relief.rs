@@ -1,6 +1,6 @@
 //! The displaced surface in a manifest.
 
-use terrane_shaderlib::relief::Bounds;
+use terrane_shaderlib::relief::MapTexture;
 
 use super::{ReliefArrayInfo, ReliefInfo, ReliefSourceInfo, TextureInfo};
 use crate::emit::{MATERIAL_GROUP, relief_arguments, relief_binding};
@@ -13,7 +13,7 @@ pub(super) fn relief(program: &Program, patch: &Specialization) -> Option<Relief
     let layers = patch.layers.iter().filter_map(|layer| program.layers[*layer].relief);
     Some(ReliefInfo {
         method: relief.trace.method.search().to_string(),
-        arguments: relief_arguments(program, relief, part).names().map(str::to_owned).collect(),
+        arguments: relief_arguments(program, part).names().map(str::to_owned).collect(),
         fade: [relief.trace.fade.0, relief.trace.fade.1],
         deepest: layers.map(|layer| layer.depth).fold(0.0, f32::max),
         arrays: (0..relief.arrays.len()).map(|index| array(program, relief, index)).collect(),
@@ -22,29 +22,25 @@ pub(super) fn relief(program: &Program, patch: &Specialization) -> Option<Relief
 
 fn array(program: &Program, relief: &ProgramRelief, index: usize) -> ReliefArrayInfo {
     let array = &relief.arrays[index];
-    let (width, height) = array.size;
-    let mips = width.min(height).max(1).ilog2() + 1;
-    let (format, size, levels) = match relief.trace.method.search().bounds() {
-        Bounds::None => ("r16uint", [1, 1], 1),
-        Bounds::Cones(_) => ("rg16uint", [width, height], mips),
-        _ => ("r16uint", [width, 2 * height], 1),
-    };
-    let texture = |part: usize, what: &str, format: &str, size: [u32; 2], mip_levels: u32| TextureInfo {
-        name: [array.heights(), array.bounds()][part].clone(),
+    let size = [array.size.0, array.size.1];
+    let textures = relief.textures();
+    let texture = |(part, texture): (usize, &MapTexture)| TextureInfo {
+        name: array.name(*texture),
         group: MATERIAL_GROUP,
-        binding: relief_binding(program, 2 * index + part) as u32,
-        format: format.into(),
+        binding: relief_binding(program, textures.len() * index + part) as u32,
+        format: texture.format().into(),
         dimension: "2d-array".into(),
         sample_type: "uint".into(),
-        width: size[0],
-        height: size[1],
-        mip_levels,
-        layers: files(program, array, what),
+        access: texture.is_storage().then(|| "read-only".into()),
+        width: texture.size(size)[0],
+        height: texture.size(size)[1],
+        mip_levels: texture.mips(size),
+        layers: files(program, array, texture.name()),
     };
     let source = |map: &ReliefMap| ReliefSourceInfo { file: map.file.clone(), channel: map.channel };
     ReliefArrayInfo {
-        heights: texture(0, "heights", "r16uint", [width, height], mips),
-        bounds: texture(1, "bounds", format, size, levels),
+        size,
+        textures: textures.iter().enumerate().map(texture).collect(),
         sources: array.maps.iter().map(source).collect(),
     }
 }

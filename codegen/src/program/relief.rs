@@ -1,7 +1,11 @@
 //! The displaced surfaces of a program's layers.
 
+use std::collections::BTreeSet;
+
+use terrane_shaderlib::relief::MapTexture;
+
 use crate::diagnostic::Span;
-use crate::graph::model::ReliefTrace;
+use crate::graph::model::{ReliefShadow, ReliefTrace};
 
 use super::ValueId;
 
@@ -14,7 +18,21 @@ pub struct ProgramRelief {
     pub arrays: Vec<ReliefArray>,
 }
 
-/// Height maps of one size: two textures, of heights and of their bounds.
+impl ProgramRelief {
+    /// The textures over the maps of an array: what the method reads, and what light reads where there is any.
+    pub fn textures(&self) -> Vec<MapTexture> {
+        let lit = self.trace.shadow != ReliefShadow::Off || self.trace.occlusion > 0;
+        let light = MapTexture::LIGHT.into_iter().filter(|_| lit);
+        light.chain(self.trace.method.search().reads()).collect::<BTreeSet<_>>().into_iter().collect()
+    }
+
+    /// All arrays with their textures, in the order in which they are bound and passed on.
+    pub fn maps(&self) -> impl Iterator<Item = (&ReliefArray, MapTexture)> {
+        self.arrays.iter().flat_map(|array| self.textures().into_iter().map(move |texture| (array, texture)))
+    }
+}
+
+/// Height maps of one size.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ReliefArray {
     /// Texels.
@@ -24,14 +42,9 @@ pub struct ReliefArray {
 }
 
 impl ReliefArray {
-    /// The name of its heights in WGSL: `relief_1024x1024_heights`.
-    pub fn heights(&self) -> String {
-        format!("relief_{}x{}_heights", self.size.0, self.size.1)
-    }
-
-    /// The name of its bounds in WGSL: `relief_1024x1024_bounds`.
-    pub fn bounds(&self) -> String {
-        format!("relief_{}x{}_bounds", self.size.0, self.size.1)
+    /// The name of a texture over its maps in WGSL: `relief_1024x1024_heights`.
+    pub fn name(&self, texture: MapTexture) -> String {
+        format!("relief_{}x{}_{}", self.size.0, self.size.1, texture.name())
     }
 }
 

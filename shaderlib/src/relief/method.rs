@@ -54,12 +54,6 @@ impl Method {
         exact.contains(&self.bounds())
     }
 
-    /// Whether its textures are sampled ones that a shader can read with the fields of a mip alone, as materials do.
-    #[must_use]
-    pub fn is_sampled(self) -> bool {
-        !matches!(self.bounds(), Bounds::Patches | Bounds::Wide)
-    }
-
     /// What it knows of the map.
     #[must_use]
     pub fn bounds(self) -> Bounds {
@@ -76,15 +70,6 @@ impl Method {
             Self::RobustCone | Self::Stride => Bounds::Cones(Cones::Robust),
             Self::ConeStep(_) => Bounds::Cones(Cones::Step),
             Self::RelaxedCone(..) => Bounds::Cones(Cones::Relaxed),
-        }
-    }
-
-    /// The WGSL types of its textures: of heights, and of bounds.
-    #[must_use]
-    pub fn textures(self) -> [&'static str; 2] {
-        match self {
-            Self::Sprint => ["texture_storage_2d_array<rg32uint, read>", "texture_storage_2d_array<r32uint, read>"],
-            _ => ["texture_2d_array<u32>"; 2],
         }
     }
 

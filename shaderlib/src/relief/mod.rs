@@ -14,6 +14,7 @@ mod mips;
 mod patches;
 mod placed;
 mod strip;
+mod texture;
 mod update;
 
 pub use dirty::{Extent, Region, halved};
@@ -21,4 +22,6 @@ pub use displacement::{Displacement, Undefined};
 pub use family::MethodError;
 pub use field::Field;
 pub use method::Method;
-pub use placed::{Bounds, Placed, Plane, Unplaceable, Words};
+pub use placed::{Bounds, Placed, Plane, Unplaceable, Words, planes};
+pub use strip::wide_corners;
+pub use texture::MapTexture;

@@ -1,9 +1,10 @@
 //! A height map and its bounds, ready to be uploaded.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
 use super::dirty::Extent;
-use super::{Field, atlas, cones, mips, patches, strip, update};
+use super::{Field, MapTexture, atlas, cones, mips, patches, strip, update};
 use crate::heightfield::cones::Cones;
 use crate::heightfield::pyramid::{Bound, CHILDREN, Levels, Pyramid, Wide};
 use crate::heightfield::{Border, Heights, Texels};
@@ -193,6 +194,25 @@ impl Placed {
         let heights = if bounds == Bounds::Patches { all_patches(&mips) } else { texels_of(mips) };
         Ok(Self { heights, bounds: image, fields, range, tiled })
     }
+
+    fn plane(&self, texture: MapTexture) -> &Plane {
+        match texture {
+            MapTexture::Heights | MapTexture::Patches => &self.heights,
+            MapTexture::Bounds(_) => &self.bounds,
+        }
+    }
+}
+
+/// The textures of a map that shaders read with fields of their own.
+///
+/// # Errors
+/// Those of [`Unplaceable`].
+pub fn planes(heights: &Heights, textures: &[MapTexture]) -> Result<Vec<Plane>, Unplaceable> {
+    let bounds: BTreeSet<Bounds> = textures.iter().map(|texture| texture.placed_with()).collect();
+    // The limit is one of the fields.
+    let placed = bounds.into_iter().map(|bounds| Ok((bounds, Placed::new(heights, bounds, 0)?)));
+    let placed: BTreeMap<Bounds, Placed> = placed.collect::<Result<_, _>>()?;
+    Ok(textures.iter().map(|texture| placed[&texture.placed_with()].plane(*texture).clone()).collect())
 }
 
 fn texels_of(mips: Vec<Mip>) -> Plane {
@@ -235,8 +255,7 @@ fn quadtrees(mips: &[Mip], bound: Bound, words: impl Fn(Vec<u16>) -> Words) -> P
 /// The strip of all mips, and how their fields read it: `corner` is the first node and log2 of the columns of cells.
 fn wide(mips: &[Mip], fields: &mut [Field]) -> Plane {
     let pyramids: Vec<Wide> = mips.iter().map(wide_of).collect();
-    let counts: Vec<Vec<usize>> =
-        pyramids.iter().map(|mip| mip.levels.iter().map(|level| level.values.len()).collect()).collect();
+    let counts: Vec<Vec<usize>> = mips.iter().map(|mip| strip::counts(mip.size)).collect();
     let firsts = strip::corners(&counts);
     for ((field, pyramid), (first, mip)) in fields.iter_mut().zip(&pyramids).zip(firsts.iter().zip(mips)) {
         field.corner = [*first as i32, mip.size[0].max(CHILDREN).ilog2() as i32];

@@ -1,9 +1,34 @@
 //! One image for the wide pyramids of all mips of a map: a strip of nodes, broken into rows.
 
-use crate::heightfield::pyramid::Wide;
+use crate::heightfield::pyramid::{CHILDREN, Wide};
 
 /// Nodes in a row of the image, and its columns.
 pub(super) const COLUMNS: usize = 1024;
+
+/// Nodes of every level of a mip with sides that are powers of two, finest first. A map of fewer cells than children is repeated.
+pub(super) fn counts(size: [u32; 2]) -> Vec<usize> {
+    let [width, height] = size.map(|side| side.max(CHILDREN) as usize);
+    let top = width.min(height).ilog2() / 2;
+    (1..=top).map(|level| width.div_ceil(1 << (2 * level)) * height.div_ceil(1 << (2 * level))).collect()
+}
+
+/// The same of all mips of a map that tiles.
+fn all_counts(map: [u32; 2]) -> Vec<Vec<usize>> {
+    (0..=map[0].min(map[1]).ilog2()).map(|mip| counts(map.map(|side| side >> mip))).collect()
+}
+
+/// Where the nodes of each mip of a map that tiles begin, in the texture of wide bounds; its sides are powers of two.
+#[must_use]
+pub fn wide_corners(map: [u32; 2]) -> Vec<usize> {
+    corners(&all_counts(map))
+}
+
+/// Columns and rows of the texture over all mips of such a map.
+pub(super) fn size(map: [u32; 2]) -> [u32; 2] {
+    let counts = all_counts(map);
+    let ends = corners(&counts).into_iter().zip(&counts).map(|(first, levels)| first + levels[0]);
+    [COLUMNS as u32, ends.max().unwrap_or(0).div_ceil(COLUMNS) as u32]
+}
 
 /// Where in the strip level k of a pyramid begins whose level 1 begins at `first`.
 fn place(first: usize, level: usize) -> usize {
@@ -64,22 +89,11 @@ pub(super) fn image(mips: &[Wide], firsts: &[usize]) -> Vec<[u32; 4]> {
 mod tests {
     use super::*;
 
-    /// Nodes of the levels over a map of sides that are powers of two.
-    fn counts([width, height]: [usize; 2]) -> Vec<usize> {
-        let top = (width.min(height).ilog2() / 2).max(1);
-        (1..=top).map(|level| width.div_ceil(1 << (2 * level)) * height.div_ceil(1 << (2 * level))).collect()
-    }
-
-    fn all(size: [usize; 2]) -> Vec<Vec<usize>> {
-        let mips = size[0].min(size[1]).ilog2();
-        (0..=mips).map(|mip| counts(size.map(|side| side >> mip))).collect()
-    }
-
     #[test]
     fn no_two_levels_share_a_texel() {
-        let sizes = (0..14).flat_map(|x| (0..14).map(move |y| [1_usize << x, 1 << y]));
+        let sizes = (0..14).flat_map(|x| (0..14).map(move |y| [1_u32 << x, 1 << y]));
         for size in sizes {
-            let mips = all(size);
+            let mips = all_counts(size);
             let mut spans = spans(&mips, &corners(&mips));
             assert_eq!(spans.len(), mips.iter().map(Vec::len).sum::<usize>());
             spans.sort_unstable();
@@ -96,7 +110,7 @@ mod tests {
                 let end = spans(mips, &corners(mips)).iter().map(|span| span[1]).max().expect("there are levels");
                 (end.next_multiple_of(COLUMNS) * 16) as f64 / (side * side) as f64
             };
-            let mips = all([side; 2]);
+            let mips = all_counts([side; 2]);
             assert!(bytes(&mips[..1]) <= 1.1, "{side}: {}", bytes(&mips[..1]));
             assert!(bytes(&mips) <= 1.5, "{side}: {}", bytes(&mips));
         }

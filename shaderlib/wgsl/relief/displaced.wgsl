@@ -22,6 +22,8 @@ struct DisplacedLayer {
     sink: f32,
     /// log2 of the texels that a pixel is wide, at least 0.
     level: f32,
+    /// Texels of its map.
+    size: vec2i,
     /// The layer of its textures.
     layer: i32,
 }
@@ -68,15 +70,17 @@ const DISPLACED_STEPS: f32 = 65535.0;
 /// Nodes after which a search is given up; no path through a map of 4096 x 4096 texels has as many.
 const DISPLACED_LIMIT: u32 = 16384u;
 
+/// log2 of the steps of height to a step of a wide node's base, of maps of 16 bits.
+const DISPLACED_WIDE_UNIT: i32 = 4i;
+
 /// Longest path in texels of a mip: whole numbers up to it leave f32 room for a fraction.
 const DISPLACED_LONGEST: f32 = 65536.0;
 
 /// A layer where the coordinates of its map are `coordinates`, whose gradients are per metre along x and y. `pixel` is the width
-/// of a pixel in metres, `size` that of the map in texels.
+/// of a pixel in metres, `size` that of the map in texels, whose sides are powers of two.
 fn displaced_layer(
     coordinates: Coord,
-    size: vec2u,
-    mips: u32,
+    size: vec2i,
     layer: i32,
     depth: f32,
     sink: f32,
@@ -96,7 +100,8 @@ fn displaced_layer(
         along_y,
         depth,
         sink,
-        clamp(level, 0.0, f32(mips - 1u)),
+        clamp(level, 0.0, f32(firstLeadingBit(min(size.x, size.y)))),
+        size,
         layer,
     );
 }
@@ -118,20 +123,31 @@ fn displaced_sink(share: f32, largest: f32, deepest: f32) -> f32 {
 }
 
 /// How a mip of a layer's map is read.
-fn displaced_field(size: vec2u, layer: DisplacedLayer, mip: i32) -> ReliefField {
-    let sides = vec2i(size) >> vec2u(u32(mip));
-    let top = i32(firstLeadingBit(u32(min(sides.x, sides.y))));
+fn displaced_field(layer: DisplacedLayer, mip: i32) -> ReliefField {
+    let sides = layer.size >> vec2u(u32(mip));
+    // Coarser mips lie beneath the finest one, each to the right of the one before.
+    let patches = vec2i(layer.size.x - 2i * sides.x, layer.size.y);
     return ReliefField(
         sides - 1i,
         sides - 1i,
         vec2i(mip * sides.x, sides.y),
-        top,
+        firstLeadingBit(min(sides.x, sides.y)),
         DISPLACED_LIMIT,
         mip,
         layer.layer,
-        vec2i(0),
-        0i,
+        select(patches, vec2i(0), mip == 0i),
+        DISPLACED_WIDE_UNIT,
     );
+}
+
+/// The same where bounds are those of `wide` and begin at `first`.
+fn displaced_field_wide(layer: DisplacedLayer, mip: i32, first: i32) -> ReliefField {
+    var field = displaced_field(layer, mip);
+    // A map of fewer cells than a node has children is repeated.
+    let sides = max(layer.size >> vec2u(u32(mip)), vec2i(4));
+    field.corner = vec2i(first, firstLeadingBit(sides.x));
+    field.top = firstLeadingBit(min(sides.x, sides.y)) / 2i;
+    return field;
 }
 
 /// The cell of a mip at a point of the frame.
@@ -211,7 +227,7 @@ fn displaced_glance(heights: texture_2d_array<u32>, layer: DisplacedLayer, ray: 
     var hit = DisplacedHit(0.0, 0u, true);
     for (var coarser = 0i; coarser < displaced_mips(layer); coarser++) {
         let mip = i32(layer.level) + coarser;
-        let field = displaced_field(textureDimensions(heights), layer, mip);
+        let field = displaced_field(layer, mip);
         let found = displaced_glance_on(heights, field, displaced_search(layer, ray, mip));
         hit = displaced_between(hit, found, displaced_part(layer, coarser));
     }

@@ -29,7 +29,7 @@ fn displaced_light_ray(
     mip: i32,
     heights: texture_2d_array<u32>,
 ) -> DisplacedLightRay {
-    let field = displaced_field(textureDimensions(heights), layer, mip);
+    let field = displaced_field(layer, mip);
     let steps = DISPLACED_STEPS / layer.depth;
     let side = f32(1i << u32(mip));
     let start = displaced_cell(layer, point.xy, mip);

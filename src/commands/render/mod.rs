@@ -107,9 +107,6 @@ impl Render {
         let Some(relief) = &mut terrain.relief else {
             return Err(Failure::Usage(format!("{option}: {} traces no relief", terrain.path)));
         };
-        if let Some(method) = method.filter(|method| !method.is_sampled()) {
-            return Err(Failure::Usage(format!("--relief: {method} is for `terrane measure` alone")));
-        }
         relief.method = method.map_or(relief.method, ReliefMethod::Fixed);
         Ok(())
     }

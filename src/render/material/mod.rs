@@ -12,7 +12,7 @@ pub(crate) use upload::write_layer;
 
 use std::path::PathBuf;
 
-use terrane_shaderlib::relief::Bounds;
+use terrane_shaderlib::relief::MapTexture;
 
 pub use terrane_codegen::graph::model::{Filter, Wrap};
 pub use terrane_codegen::program::Format;
@@ -75,15 +75,13 @@ pub struct Material {
     pub reliefs: Vec<Relief>,
 }
 
-/// Height maps of one size that lie in two arrays: heights, and what the tracer knows of them.
+/// Height maps of one size, and the textures that are made of them.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Relief {
-    /// `@binding` of the heights and of the bounds in group 1.
-    pub bindings: [u32; 2],
     /// Width and height of every map.
     pub size: (u32, u32),
-    /// What the tracer knows.
-    pub bounds: Bounds,
+    /// `@binding` in group 1, and what stands there.
+    pub textures: Vec<(u32, MapTexture)>,
     /// PNG files and the channel that counts, layer by layer.
     pub maps: Vec<(PathBuf, u8)>,
 }

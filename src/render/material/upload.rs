@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use rayon::prelude::*;
-use terrane_shaderlib::relief::{Placed, Plane};
+use terrane_shaderlib::relief::{MapTexture, Plane};
 
 use super::{Filter, Material, Relief, Sampling, TextureArray, Wrap, decode, mip_chain, texture_format};
 use crate::relief::map;
@@ -28,22 +28,31 @@ impl MaterialGroup {
         let arrays: Vec<wgpu::TextureView> =
             material.arrays.iter().map(|array| upload(gpu, array, &phase)).collect::<Result<_>>()?;
         let reliefs = material.reliefs.iter().map(|relief| upload_relief(gpu, relief, &phase));
-        let reliefs: Vec<[wgpu::TextureView; 2]> = reliefs.collect::<Result<_>>()?;
+        let reliefs: Vec<Vec<MapView>> = reliefs.collect::<Result<_>>()?;
         gpu.checked("material's bindings", || bind(gpu, material, &arrays, &reliefs))
     }
 }
 
-fn upload_relief(gpu: &Gpu, relief: &Relief, phase: &Phase) -> Result<[wgpu::TextureView; 2]> {
+/// A texture over height maps, and where it is bound.
+struct MapView {
+    binding: u32,
+    texture: MapTexture,
+    view: wgpu::TextureView,
+}
+
+fn upload_relief(gpu: &Gpu, relief: &Relief, phase: &Phase) -> Result<Vec<MapView>> {
+    let wanted: Vec<MapTexture> = relief.textures.iter().map(|(_, texture)| *texture).collect();
     let read = |(path, channel): &(PathBuf, u8)| {
-        let placed = map(path, *channel, relief.size, relief.bounds);
+        let planes = map(path, *channel, relief.size, &wanted);
         phase.advance(1);
-        placed
+        planes
     };
-    let placed: Vec<Placed> = relief.maps.par_iter().map(read).collect::<Result<_>>()?;
-    let planes = |plane: fn(&Placed) -> &Plane| placed.iter().map(plane).collect::<Vec<_>>();
-    gpu.checked("height maps", || {
-        [textures(gpu, &planes(|placed| &placed.heights)), textures(gpu, &planes(|placed| &placed.bounds))]
-    })
+    let maps: Vec<Vec<Plane>> = relief.maps.par_iter().map(read).collect::<Result<_>>()?;
+    let view = |(index, (binding, texture)): (usize, &(u32, MapTexture))| {
+        let planes: Vec<&Plane> = maps.iter().map(|planes| &planes[index]).collect();
+        MapView { binding: *binding, texture: *texture, view: textures(gpu, &planes) }
+    };
+    gpu.checked("height maps", || relief.textures.iter().enumerate().map(view).collect())
 }
 
 fn upload(gpu: &Gpu, array: &TextureArray, phase: &Phase) -> Result<wgpu::TextureView> {
@@ -100,12 +109,7 @@ pub(crate) fn write_layer<B: AsRef<[u8]>>(gpu: &Gpu, texture: &wgpu::Texture, la
     }
 }
 
-fn bind(
-    gpu: &Gpu,
-    material: &Material,
-    arrays: &[wgpu::TextureView],
-    reliefs: &[[wgpu::TextureView; 2]],
-) -> MaterialGroup {
+fn bind(gpu: &Gpu, material: &Material, arrays: &[wgpu::TextureView], reliefs: &[Vec<MapView>]) -> MaterialGroup {
     let parameters = material.parameters.as_ref().map(|(binding, bytes)| (*binding, uniform(gpu, bytes)));
     let samplers: Vec<wgpu::Sampler> = material.samplers.iter().map(|sampling| sampler(gpu, *sampling)).collect();
     let mut layout = Vec::new();
@@ -124,8 +128,8 @@ fn bind(
         let ty = texture_array(wgpu::TextureSampleType::Float { filterable: true });
         add(array.binding, ty, wgpu::BindingResource::TextureView(view));
     }
-    for (binding, view) in material.reliefs.iter().flat_map(|relief| relief.bindings).zip(reliefs.iter().flatten()) {
-        add(binding, texture_array(wgpu::TextureSampleType::Uint), wgpu::BindingResource::TextureView(view));
+    for MapView { binding, texture, view } in reliefs.iter().flatten() {
+        add(*binding, map_binding(*texture), wgpu::BindingResource::TextureView(view));
     }
     for (sampling, sampler) in material.samplers.iter().zip(&samplers) {
         let ty = wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering);
@@ -145,6 +149,16 @@ fn bind(
 fn texture_array(sample_type: wgpu::TextureSampleType) -> wgpu::BindingType {
     let view_dimension = wgpu::TextureViewDimension::D2Array;
     wgpu::BindingType::Texture { sample_type, view_dimension, multisampled: false }
+}
+
+fn map_binding(texture: MapTexture) -> wgpu::BindingType {
+    if !texture.is_storage() {
+        return texture_array(wgpu::TextureSampleType::Uint);
+    }
+    let format =
+        if texture == MapTexture::Patches { wgpu::TextureFormat::Rg32Uint } else { wgpu::TextureFormat::R32Uint };
+    let (access, view_dimension) = (wgpu::StorageTextureAccess::ReadOnly, wgpu::TextureViewDimension::D2Array);
+    wgpu::BindingType::StorageTexture { access, format, view_dimension }
 }
 
 fn uniform(gpu: &Gpu, bytes: &[u8]) -> wgpu::Buffer {

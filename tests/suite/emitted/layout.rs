@@ -26,9 +26,15 @@ fn material(manifest: &Manifest) -> Vec<Value> {
         .iter()
         .map(|sampler| json!({ "binding": sampler.binding, "visibility": DRAWING, "sampler": {} }));
     let reliefs = manifest.relief.iter().flat_map(|relief| &relief.arrays);
-    let reliefs = reliefs.flat_map(|array| [&array.heights, &array.bounds]).map(|texture| {
-        let kind = json!({ "viewDimension": texture.dimension, "sampleType": texture.sample_type });
-        json!({ "binding": texture.binding, "visibility": DRAWING, "texture": kind })
+    let reliefs = reliefs.flat_map(|array| &array.textures).map(|texture| match &texture.access {
+        Some(access) => {
+            let kind = json!({ "viewDimension": texture.dimension, "access": access, "format": texture.format });
+            json!({ "binding": texture.binding, "visibility": DRAWING, "storageTexture": kind })
+        }
+        None => {
+            let kind = json!({ "viewDimension": texture.dimension, "sampleType": texture.sample_type });
+            json!({ "binding": texture.binding, "visibility": DRAWING, "texture": kind })
+        }
     });
     uniform.chain(textures).chain(samplers).chain(reliefs).collect()
 }

@@ -9,9 +9,11 @@ use std::path::Path;
 
 use terrane_codegen::compile::{Compiled, Compiler};
 use terrane_codegen::diagnostic::{Diagnostic, Sources, render};
+use terrane_codegen::graph::model::{ReliefMethod, ReliefTrace, Terrain};
 use terrane_codegen::graph::{FileRole, Project};
 use terrane_codegen::program::Options;
 use terrane_shaderlib::hosts::{self, Host};
+use terrane_shaderlib::relief::Method;
 
 use crate::tint::{Module, Report, Tint};
 
@@ -77,6 +79,22 @@ fn every_terrain_and_surface_is_accepted_with_the_layout_of_its_manifest() {
         }
     }
     let Some(errors) = errors(&modules) else { return };
+    assert_eq!(errors, "");
+}
+
+#[test]
+fn so_is_a_terrain_with_every_method_of_tracing() {
+    let mut project = Project::open(Path::new(env!("CARGO_MANIFEST_DIR"))).expect("the project of this repository");
+    let (graphs, terrain, _) = project.terrain("graphs/terrains/yard.ron").expect("a terrain with relief");
+    let host = hosts::terrain();
+    let traced = |method: Method| {
+        let relief = terrain.relief.map(|trace| ReliefTrace { method: ReliefMethod::Fixed(method), ..trace });
+        let compiled = compiler(&project, &host).terrain(&graphs, &Terrain { relief, ..terrain.clone() });
+        let compiled = compiled.unwrap_or_else(|found| fail(&found, &project.sources));
+        let layouts = layout::groups(&compiled.checked.module, &compiled.manifest);
+        Module::with_pipelines(method.to_string(), &compiled.host.text).with_layouts(&layouts)
+    };
+    let Some(errors) = errors(&Method::all().into_iter().map(traced).collect::<Vec<_>>()) else { return };
     assert_eq!(errors, "");
 }
 

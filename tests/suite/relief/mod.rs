@@ -2,6 +2,7 @@
 
 mod accuracy;
 mod build;
+mod chosen;
 mod defects;
 mod displacement;
 mod figures;

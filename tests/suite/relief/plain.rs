@@ -17,6 +17,7 @@ use terrane_codegen::program::Options;
 use terrane_shaderlib::heightfield::adversary::Random;
 use terrane_shaderlib::heightfield::{Border, Heights, Texels};
 use terrane_shaderlib::hosts::{self, Host};
+use terrane_shaderlib::relief::Method;
 
 /// Metres on a side of the plain.
 const SIDE: f64 = 256.0;
@@ -24,12 +25,17 @@ const SIDE: f64 = 256.0;
 /// The middle of the plain.
 pub(super) const MIDDLE: DVec3 = DVec3::new(SIDE / 2.0, 0.0, SIDE / 2.0);
 
-/// Metres of one tile of the relief, of its depth, and from the eye to where it begins to fade and where it is gone.
+/// A relief and how it is traced.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Shape {
+    /// Metres of one tile.
     pub(super) tile: f64,
+    /// Metres.
     pub(super) depth: f64,
+    /// Metres from the eye to where it begins to fade and where it is gone.
     pub(super) fade: (f64, f64),
+    /// `None` is what a terrain has where it wants the best.
+    pub(super) method: Option<Method>,
 }
 
 /// A map that is as rough at every scale: blocks of 1 to 16 texels, each kind with a fifth of the height.
@@ -49,7 +55,7 @@ pub(super) fn rough(side: u32) -> Heights {
 pub(super) const IMAGE: [u32; 2] = [64, 128];
 
 /// Deep stones, 32 texels to a metre where the map has 64.
-pub(super) const SHAPE: Shape = Shape { tile: 2.0, depth: 0.25, fade: (20.0, 36.0) };
+pub(super) const SHAPE: Shape = Shape { tile: 2.0, depth: 0.25, fade: (20.0, 36.0), method: None };
 
 /// What a pixel looks at.
 pub(super) struct Sight {
@@ -85,19 +91,27 @@ pub(super) struct Plain {
 impl Plain {
     /// A relief of 16 bits, which tiles.
     pub(super) fn new(heights: &Heights, shape: Shape) -> Self {
+        Self::layered(&[heights], shape).unwrap_or_else(|findings| panic!("{findings}"))
+    }
+
+    /// Several that all have the same share of the ground, or why they cannot be compiled.
+    pub(super) fn layered(maps: &[&Heights], shape: Shape) -> Result<Self, String> {
         let folder = tempfile::tempdir().expect("a writable temporary folder");
         for inside in ["graphs/surfaces", "graphs/terrains"] {
             fs::create_dir_all(folder.path().join(inside)).expect("a new folder");
         }
         let write = |path: &str, text: String| fs::write(folder.path().join(path), text).expect("a writable folder");
         write("terrane.ron", "Project(version: 1)\n".into());
-        write("graphs/surfaces/relief.ron", surface(shape));
-        write("graphs/terrains/plain.ron", terrain(shape));
-        grey(&folder.path().join("relief.png"), heights.size(), &texels(heights));
+        for (index, heights) in maps.iter().enumerate() {
+            write(&format!("graphs/surfaces/relief_{index}.ron"), surface(index, maps.len(), shape));
+            grey(&folder.path().join(format!("relief_{index}.png")), heights.size(), &texels(heights));
+        }
+        write("graphs/terrains/plain.ron", terrain(maps.len(), shape));
         grey(&folder.path().join("plain.png"), [4; 2], &[0; 16]);
-        let [lit, searched] = [hosts::terrain(), hosts::searched()].map(|host| compile(&folder, &host));
+        let lit = compile(&folder, &hosts::terrain())?;
+        let searched = compile(&folder, &hosts::searched())?;
         let field = HeightField::new([4; 2], [SIDE / 4.0; 2], vec![0.0; 16]).expect("a flat map");
-        Self { folder, lit, searched, field }
+        Ok(Self { folder, lit, searched, field })
     }
 
     /// The same with another text in place of one of its shader's.
@@ -153,40 +167,47 @@ fn grey(path: &Path, [width, height]: [u32; 2], texels: &[u16]) {
     encoder.write_header().and_then(|mut to| to.write_image_data(&bytes)).expect("a writable folder");
 }
 
-fn surface(shape: Shape) -> String {
+/// One of so many layers; one over others covers what is left to it of the ground.
+fn surface(index: usize, count: usize, shape: Shape) -> String {
+    let Shape { tile, depth, .. } = shape;
+    let mask = 1.0 / (index + 1) as f64;
+    let mask = if count > 1 { format!(", mask: {mask:?}") } else { String::new() };
     format!(
         r#"Surface(
     version: 1,
     doc: "A relief.",
-    textures: {{ "relief": (file: "relief.png", color: linear, channel: r) }},
-    nodes: {{ "uv": planar(position: position, tile: {:?}) }},
-    outputs: (albedo: (0.4, 0.4, 0.4), relief: (height: relief, uv: uv, depth: {:?})),
+    textures: {{ "relief": (file: "relief_{index}.png", color: linear, channel: r) }},
+    nodes: {{ "uv": planar(position: position, tile: {tile:?}) }},
+    outputs: (albedo: (0.4, 0.4, 0.4){mask}, relief: (height: relief, uv: uv, depth: {depth:?})),
 )
-"#,
-        shape.tile, shape.depth
+"#
     )
 }
 
-fn terrain(shape: Shape) -> String {
+fn terrain(layers: usize, shape: Shape) -> String {
+    let layer = |index: usize| format!(r#"(surface: "graphs/surfaces/relief_{index}.ron")"#);
+    let layers: Vec<String> = (0..layers).map(layer).collect();
+    let method = shape.method.map_or_else(|| "auto(max_error: 0.5)".to_owned(), |method| method.to_string());
     format!(
         r#"Terrain(
     version: 1,
     height: (file: "plain.png", size: ({SIDE:?}, {SIDE:?}), range: (0.0, 1.0)),
-    layers: [(surface: "graphs/surfaces/relief.ron")],
-    relief: (method: auto(max_error: 0.5), fade: {:?}),
+    layers: [{}],
+    relief: (method: {method}, fade: {:?}),
     shadow: (terrain: off, relief: cone),
     occlusion: (terrain: off, relief: directions(4)),
 )
 "#,
+        layers.join(", "),
         shape.fade
     )
 }
 
-fn compile(folder: &TempDir, host: &Host) -> Compiled {
+fn compile(folder: &TempDir, host: &Host) -> Result<Compiled, String> {
     let mut project = Project::open(folder.path()).unwrap_or_else(|error| panic!("{:?}", error.diagnostics));
     let answer = project.terrain("graphs/terrains/plain.ron");
-    let (graphs, terrain, _) = answer.unwrap_or_else(|found| panic!("{}", render(&found, &project.sources, false)));
+    let (graphs, terrain, _) = answer.map_err(|found| render(&found, &project.sources, false))?;
     let (library, sources) = (&project.library, &project.sources);
     let compiled = Compiler { library, sources, host, options: Options::default() }.terrain(&graphs, &terrain);
-    compiled.unwrap_or_else(|found| panic!("{}", render(&found, &project.sources, false)))
+    compiled.map_err(|found| render(&found, sources, false))
 }

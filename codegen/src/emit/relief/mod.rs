@@ -1,6 +1,7 @@
 //! The displaced surface of a shader's layers: where it lies, and what a ray meets of it.
 
 mod rays;
+mod wide;
 
 use super::arguments::{Arguments, arguments};
 use super::compose::Composer;
@@ -33,13 +34,9 @@ pub(super) fn relief(shader: &mut Shader, library: &Library, program: &Program, 
     }
 }
 
-/// What `terrane_relief` is given: a place, the ground's axes there, the width of a pixel, what masks and coordinates read, and
-/// the height maps.
-pub(crate) fn relief_arguments(program: &Program, relief: &ProgramRelief, part: &ReliefPart) -> Arguments {
-    let before = ["tangent: vec3f", "bitangent: vec3f", "pixel: f32"];
-    let behind: Vec<String> =
-        relief.arrays.iter().map(|array| format!("{}: texture_2d_array<u32>", array.heights())).collect();
-    arguments(program, &part.live(), &before, &behind)
+/// What `terrane_relief` is given: a place, the ground's axes there, the width of a pixel, and what masks and coordinates read.
+pub(crate) fn relief_arguments(program: &Program, part: &ReliefPart) -> Arguments {
+    arguments(program, &part.live(), &["tangent: vec3f", "bitangent: vec3f", "pixel: f32"])
 }
 
 /// The member of a layer in the structs of relief: its name alone may be that of another member, or a word of WGSL.
@@ -48,9 +45,8 @@ pub(super) fn relief_member(layer: &str) -> String {
 }
 
 /// Names and types of the textures of all height maps.
-pub(crate) fn textures(relief: &ProgramRelief) -> Vec<(String, &'static str)> {
-    let names = relief.arrays.iter().flat_map(|array| [array.heights(), array.bounds()]);
-    names.map(|name| (name, "texture_2d_array<u32>")).collect()
+pub(crate) fn textures(relief: &ProgramRelief) -> Vec<(String, String)> {
+    relief.maps().map(|(array, texture)| (array.name(texture), texture.wgsl())).collect()
 }
 
 impl Writer<'_> {
@@ -89,7 +85,7 @@ impl Writer<'_> {
     }
 
     fn coordinates(&mut self) {
-        let arguments = arguments(self.program, &self.part.coordinates.live(), &[], &[]);
+        let arguments = arguments(self.program, &self.part.coordinates.live(), &[]);
         self.shader.line("");
         self.shader.line("/// Coordinates of the height maps at a place.");
         self.shader.open(&format!("fn terrane_coordinates({}) -> TerrainCoordinates", arguments.declared()));
@@ -101,7 +97,7 @@ impl Writer<'_> {
     }
 
     fn place(&mut self) {
-        let all = relief_arguments(self.program, self.relief, self.part);
+        let all = relief_arguments(self.program, self.part);
         self.shader.line("");
         self.shader.line("/// The displaced ground under a place. The two vectors span the ground, with length 1; a pixel is so wide in metres.");
         self.shader.open(&format!("fn terrane_relief({}) -> TerrainRelief", all.declared()));
@@ -117,7 +113,7 @@ impl Writer<'_> {
     }
 
     fn axes(&mut self) {
-        let inner = arguments(self.program, &self.part.coordinates.live(), &[], &[]);
+        let inner = arguments(self.program, &self.part.coordinates.live(), &[]);
         self.shader.line("");
         self.shader.line("// Coordinates carry their gradients: those along the ground are the axes of the map.");
         self.shader.line("var axes = terrain;");
@@ -152,7 +148,7 @@ impl Writer<'_> {
     }
 
     fn layer(&self, name: &str, relief: &LayerRelief, many: bool) -> String {
-        let heights = self.relief.arrays[relief.array].heights();
+        let (width, height) = self.relief.arrays[relief.array].size;
         let depth = format!("fade * {}", Literal::f32(relief.depth).wgsl());
         let share = layer_word(name, "share");
         let (depth, sink) = if many {
@@ -161,7 +157,7 @@ impl Writer<'_> {
         } else {
             (depth, "0.0f".to_owned())
         };
-        let map = format!("textureDimensions({heights}), textureNumLevels({heights}), {}i", relief.layer);
+        let map = format!("vec2i({width}i, {height}i), {}i", relief.layer);
         format!("displaced_layer(coordinates.{}, {map}, {depth}, {sink}, pixel)", relief_member(name))
     }
 }

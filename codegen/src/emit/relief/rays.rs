@@ -4,6 +4,8 @@
 //! lies. Drivers inline every call: with a copy for each layer and mip an NVIDIA driver compiled `graphs/scenes/yard.ron` 2.7 times as
 //! long, and llvmpipe three times.
 
+use terrane_shaderlib::relief::{Bounds, MapTexture};
+
 use super::{Writer, relief_member, textures};
 use crate::graph::model::{ReliefMethod, ReliefShadow};
 use crate::program::ReliefArray;
@@ -15,8 +17,10 @@ struct OverLayers<'a> {
     /// The function's head; RELIEF is the surface with its maps.
     head: &'a str,
     begin: &'a str,
-    /// LAYER is a layer, MAPS its heights and bounds.
+    /// LAYER is a layer, MAPS those of its maps.
     each: &'a str,
+    /// What it reads.
+    maps: &'a [MapTexture],
     end: &'a str,
 }
 
@@ -27,6 +31,9 @@ fn numbered(array: &ReliefArray) -> String {
 
 impl Writer<'_> {
     pub(super) fn rays(&mut self) {
+        if self.relief.trace.method.search().bounds() == Bounds::Wide {
+            self.wide_corner();
+        }
         self.search();
         self.numbered();
         self.displace();
@@ -47,23 +54,30 @@ impl Writer<'_> {
 
     /// The first hit of one layer, on the mip that fits the pixel or between two.
     fn search(&mut self) {
+        let method = self.relief.trace.method.search();
+        let reads = method.reads();
+        let maps = reads.iter().map(|texture| format!(", {}: {}", texture.name(), texture.wgsl()));
+        let maps: String = maps.collect();
         self.shader.line("");
         self.shader.line("/// The first hit of one layer, on the mip that fits the pixel or between two.");
-        self.shader.open(
-            "fn terrane_search(layer: DisplacedLayer, ray: DisplacedRay, heights: texture_2d_array<u32>, bounds: texture_2d_array<u32>) -> DisplacedHit",
-        );
-        self.shader.line("let mip = i32(layer.level);");
+        self.shader.open(&format!("fn terrane_search(layer: DisplacedLayer, ray: DisplacedRay{maps}) -> DisplacedHit"));
+        self.shader.line("let first = i32(layer.level);");
         if let ReliefMethod::Auto { max_error } = self.relief.trace.method {
             let error = Literal::f32(max_error).wgsl();
-            self.shader.open(&format!("if displaced_way(displaced_search(layer, ray, mip)) <= {error}"));
+            self.shader.open(&format!("if displaced_way(displaced_search(layer, ray, first)) <= {error}"));
             self.shader.line("return displaced_glance(heights, layer, ray);");
             self.shader.close();
         }
         self.shader.line("var hit = DisplacedHit(0.0f, 0u, true);");
         self.shader.open("for (var coarser = 0i; coarser < displaced_mips(layer); coarser++)");
-        self.shader.line("let search = displaced_search(layer, ray, mip + coarser);");
-        self.shader.line("let field = displaced_field(textureDimensions(heights), layer, mip + coarser);");
-        let found = self.relief.trace.method.search().call("heights", "bounds", "field", "search.ray");
+        self.shader.line("let mip = first + coarser;");
+        self.shader.line("let search = displaced_search(layer, ray, mip);");
+        self.shader.line(match method.bounds() {
+            Bounds::Wide => "let field = displaced_field_wide(layer, mip, terrane_wide_corner(layer.size, mip));",
+            _ => "let field = displaced_field(layer, mip);",
+        });
+        let bounds = reads.get(1).map_or("", |bounds| bounds.name());
+        let found = method.call(reads[0].name(), bounds, "field", "search.ray");
         self.shader.line(&format!("let found = displaced_found(search, {found});"));
         self.shader.line("hit = displaced_between(hit, found, displaced_part(layer, coarser));");
         self.shader.close();
@@ -98,7 +112,7 @@ impl Writer<'_> {
         self.shader.open(&over.head.replace("RELIEF", &arguments.join(", ")));
         self.shader.line(over.begin);
         for (array, members) in self.arrays() {
-            let maps = format!("{}, {}", array.heights(), array.bounds());
+            let maps = over.maps.iter().map(|texture| array.name(*texture)).collect::<Vec<_>>().join(", ");
             let each = |layer: &str| over.each.replace("LAYER", layer).replace("MAPS", &maps);
             if let [member] = members.as_slice() {
                 self.if_there(&format!("relief.{member}"), &each(&format!("relief.{member}")));
@@ -125,6 +139,7 @@ impl Writer<'_> {
             head: "fn terrane_displace(ray: DisplacedRay, RELIEF) -> DisplacedHit",
             begin: "var hit = displaced_plane(ray, relief.bottom);",
             each: "hit = displaced_nearer(hit, terrane_search(LAYER, ray, MAPS));",
+            maps: &self.relief.trace.method.search().reads(),
             end: "return hit;",
         });
     }
@@ -140,6 +155,7 @@ impl Writer<'_> {
             head: "fn terrane_relief_shadow(ray: DisplacedRay, radius: f32, RELIEF) -> f32",
             begin: "var share = 1.0f;",
             each,
+            maps: &MapTexture::LIGHT,
             end: "return share;",
         });
     }
@@ -154,6 +170,7 @@ impl Writer<'_> {
                 head: "fn terrane_relief_occlusion(point: vec3f, normal: vec3f, turn: f32, RELIEF) -> f32",
                 begin: "var share = 1.0f;",
                 each: &each,
+                maps: &MapTexture::LIGHT,
                 end: "return share;",
             });
         }

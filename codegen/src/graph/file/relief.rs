@@ -31,15 +31,8 @@ fn method(field: Field<'_>, findings: &mut Vec<Diagnostic>) -> Option<ReliefMeth
 
 /// A method as it is written for `terrane measure` too.
 fn fixed(field: Field<'_>, name: &str, findings: &mut Vec<Diagnostic>) -> Option<ReliefMethod> {
-    let asked = field.raw.text().parse::<Method>().ok();
-    if let Some(method) = asked.filter(|method| method.is_sampled()) {
+    if let Ok(method) = field.raw.text().parse::<Method>() {
         return Some(ReliefMethod::Fixed(method));
-    }
-    if asked.is_some() {
-        let message = format!("`{name}` is for `terrane measure`: materials have other textures");
-        let finding = Diagnostic::error(codes::UNKNOWN_CHOICE, field.raw.span(), message);
-        findings.push(finding.help("write `auto(max_error: 0.5)`, or another method"));
-        return None;
     }
     let known: Vec<&str> = std::iter::once("auto").chain(Method::names()).collect();
     findings.push(if known.contains(&name) {

@@ -19,7 +19,7 @@ const BASE: u32 = 12;
 /// `(base << unit) + ((bits + 1) << shift)` steps high. Children beyond the map have those of its last ones.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Wide {
-    /// Steps of the map to a step of a base, as a power of two: the least with which the highest fits.
+    /// Steps of the map to a step of a base, as a power of two: the least with which the highest fits that there could be.
     pub unit: u32,
     /// The nodes whose children are the cells come first, the one over the whole map last.
     pub levels: Vec<Level<[u32; 4]>>,
@@ -32,15 +32,13 @@ impl Wide {
     /// For a map of floats.
     pub fn new(heights: &Heights) -> Result<Self, FloatHeights> {
         match Pyramid::new(heights, Bound::CellMax).levels() {
-            Levels::U8(levels) => Ok(Self::pack(levels)),
-            Levels::U16(levels) => Ok(Self::pack(levels)),
+            Levels::U8(levels) => Ok(Self::pack(levels, 0)),
+            Levels::U16(levels) => Ok(Self::pack(levels, u16::BITS - BASE)),
             Levels::F32(_) => Err(FloatHeights),
         }
     }
 
-    fn pack<T: Copy + Into<u32> + Sync>(finer: &[Level<T>]) -> Self {
-        let highest: u32 = finer[finer.len() - 1].at(0, 0).into();
-        let unit = bits(highest).saturating_sub(BASE);
+    fn pack<T: Copy + Into<u32> + Sync>(finer: &[Level<T>], unit: u32) -> Self {
         let mut levels = Vec::new();
         let mut size = finer[0].size;
         while levels.is_empty() || size != [1, 1] {
