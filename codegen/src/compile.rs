@@ -5,7 +5,7 @@ use terrane_shaderlib::hosts::Host;
 use crate::check::{Checked, check};
 use crate::diagnostic::{Diagnostic, Sources};
 use crate::emit::{Shader, core, host};
-use crate::graph::model::{GraphId, Graphs, Terrain};
+use crate::graph::model::{GraphId, Graphs, ReliefTrace, Terrain};
 use crate::library::Library;
 use crate::manifest::{Manifest, Parts, manifest};
 use crate::patch::{Combination, Specialization, specialize};
@@ -57,8 +57,8 @@ impl Compiler<'_> {
     ///
     /// # Errors
     /// As [`Self::terrain`].
-    pub fn surface(&self, graphs: &Graphs, surface: GraphId) -> Result<Compiled, Vec<Diagnostic>> {
-        self.finish(Program::of_surface(self.library, graphs, surface, self.options), None)
+    pub fn surface(&self, graphs: &Graphs, surface: GraphId, trace: ReliefTrace) -> Result<Compiled, Vec<Diagnostic>> {
+        self.finish(Program::of_surface(self.library, graphs, surface, trace, self.options), None)
     }
 
     fn finish(&self, mut program: Program, terrain: Option<&Terrain>) -> Result<Compiled, Vec<Diagnostic>> {

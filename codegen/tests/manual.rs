@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 use terrane_codegen::check::check;
 use terrane_codegen::diagnostic::{Sources, render};
 use terrane_codegen::emit::core;
+use terrane_codegen::graph::model::ReliefTrace;
 use terrane_codegen::graph::{Memory, Project};
 use terrane_codegen::library::Library;
 use terrane_codegen::patch::{Combination, specialize};
@@ -69,6 +70,9 @@ fn a_texture_that_goes_through_instances_reaches_the_shader() {
     let (graphs, id, warnings) =
         answer.unwrap_or_else(|findings| panic!("{}", render(&findings, &project.sources, false)));
     assert!(warnings.is_empty(), "{warnings:?}");
-    let text = emitted(&project.library, Program::of_surface(&project.library, &graphs, id, Options::default()));
+    let text = emitted(
+        &project.library,
+        Program::of_surface(&project.library, &graphs, id, ReliefTrace::ALONE, Options::default()),
+    );
     assert!(text.contains("textureSampleGrad"), "{text}");
 }

@@ -34,9 +34,24 @@ pub const WGPU_TERRAIN_DISPLACED: &[SourceFile] = terrain!("wgpu/traced.wgsl", "
 /// The same for looking at the search itself. `terrain_fragment` gives what it cost and how far it went.
 pub const WGPU_TERRAIN_SEARCHED: &[SourceFile] = terrain!("wgpu/traced.wgsl", "wgpu/searched.wgsl");
 
+/// The files of one material on a square and a ball, and those behind them.
+macro_rules! preview {
+    ($($path:literal),*) => {
+        &[
+            host!("wgpu/view.wgsl"),
+            host!("wgpu/frame.wgsl"),
+            host!("wgpu/light.wgsl"),
+            host!("wgpu/preview.wgsl"),
+            $(host!($path)),*
+        ]
+    };
+}
+
 /// Plain WebGPU: one material on a square and a ball. Entry points `preview_vertex` and `preview_fragment`.
-pub const WGPU_PREVIEW: &[SourceFile] =
-    &[host!("wgpu/view.wgsl"), host!("wgpu/frame.wgsl"), host!("wgpu/light.wgsl"), host!("wgpu/preview.wgsl")];
+pub const WGPU_PREVIEW: &[SourceFile] = preview!("wgpu/preview_flat.wgsl");
+
+/// The same for a material with relief.
+pub const WGPU_PREVIEW_DISPLACED: &[SourceFile] = preview!("wgpu/traced.wgsl", "wgpu/preview_displaced.wgsl");
 
 /// Sampled textures that [`WGPU_TERRAIN`] and [`WGPU_PREVIEW`] bind at most in group 0; what is left of a stage's 16 is the material's.
 pub const WGPU_TEXTURES: usize = 5;
@@ -79,7 +94,7 @@ pub fn searched() -> Host {
 /// The host that shows one material.
 #[must_use]
 pub fn preview() -> Host {
-    Host { flat: join(WGPU_PREVIEW), displaced: None }
+    Host { flat: join(WGPU_PREVIEW), displaced: Some(join(WGPU_PREVIEW_DISPLACED)) }
 }
 
 /// The files of a host, joined.

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use terrane_codegen::compile::Compiled;
+use terrane_codegen::graph::model::ReliefTrace;
 use terrane_codegen::graph::{FileRole, Project};
 
 use super::{Failure, project};
@@ -56,7 +57,7 @@ fn compile(project: &mut Project, path: &str) -> Result<Compiled, Failure> {
     let (compiled, warnings) = if surface {
         let (graphs, surface, warnings) =
             project.surface(path).map_err(|found| project::findings(&found, &project.sources))?;
-        (project::compiler(project, &project::TERRAIN_HOST).surface(&graphs, surface), warnings)
+        (project::compiler(project, &project::TERRAIN_HOST).surface(&graphs, surface, ReliefTrace::ALONE), warnings)
     } else {
         let (graphs, terrain, warnings) =
             project.terrain(path).map_err(|found| project::findings(&found, &project.sources))?;

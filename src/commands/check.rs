@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use terrane_codegen::diagnostic::{Diagnostic, any_error, sort};
+use terrane_codegen::graph::model::ReliefTrace;
 use terrane_codegen::graph::{FileRole, Project};
 
 use super::{Failure, project};
@@ -57,7 +58,7 @@ fn compile(project: &mut Project, path: &str) -> Result<(), Vec<Diagnostic>> {
         }
         Some(FileRole::Surface) => {
             let (graphs, surface, _) = project.surface(path)?;
-            project::compiler(project, &project::TERRAIN_HOST).surface(&graphs, surface)?;
+            project::compiler(project, &project::TERRAIN_HOST).surface(&graphs, surface, ReliefTrace::ALONE)?;
         }
         _ => {}
     }

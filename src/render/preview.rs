@@ -17,7 +17,7 @@ use super::progress::Progress;
 /// A material on a square of ground and on a ball.
 #[derive(Clone, Debug)]
 pub struct Preview<'a> {
-    /// The complete WGSL: the emitted core within `terrane_shaderlib::hosts::WGPU_PREVIEW`.
+    /// The complete WGSL: the emitted core within one of the texts of `terrane_shaderlib::hosts::preview`.
     pub shader: &'a str,
     /// What the shader's group 1 reads.
     pub material: &'a Material,

@@ -9,11 +9,13 @@ struct HostDisplaced {
 @fragment
 fn terrain_fragment(vertex: HostVertex) -> HostDisplaced {
     let first = host_place(vertex, dpdx(vertex.local), dpdy(vertex.local));
-    let traced = host_traced(first);
-    let material = terrane_shade(traced.place.frame);
+    let traced = host_traced(first.frame, first.to_eye, first.extent);
+    let material = terrane_shade(traced.frame);
     let sun = host_relief_sun(traced, normal_to_world(material.normal, first.frame.normal));
     let open = host_relief_sky(traced, material.normal, vertex.clip.xy);
-    let radiance = host_ground(vertex, traced.place, material, sun, open);
+    var place = first;
+    place.frame = traced.frame;
+    let radiance = host_ground(vertex, place, material, sun, open);
     let clip = host_view.clip * vec4f(traced.moved - first.to_eye * first.frame.distance, 1.0);
     return HostDisplaced(radiance, clip.z / clip.w);
 }

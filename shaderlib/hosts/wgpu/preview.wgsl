@@ -13,6 +13,9 @@ const PREVIEW_GREY = vec3f(0.22);
 /// What a ray meets: distance, and the normal there.
 struct PreviewHit { distance: f32, normal: vec3f, ball: bool }
 
+/// A material as it is seen, and the shares of the sun and of the sky that its own relief leaves.
+struct PreviewSeen { material: TerrainOut, sun: f32, open: f32 }
+
 @vertex
 fn preview_vertex(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
     return vec4f(select(-1.0, 3.0, index == 1u), select(-1.0, 3.0, index == 2u), 0.0, 1.0);
@@ -70,15 +73,15 @@ fn preview_light(at: vec3f, hit: PreviewHit) -> HostLight {
     return HostLight(sun * select(1.0, lit, behind), vec3f(0.0, 1.0 - hidden, 0.0), around, PREVIEW_GREY);
 }
 
-/// The material of a place, in metres from the middle of the square or of the ball.
-fn preview_material(place: vec2f, eye: vec3f, at: vec3f, hit: PreviewHit) -> TerrainOut {
+/// What a place tells its material, in metres from the middle of the square or of the ball.
+fn preview_frame(place: vec2f, eye: vec3f, at: vec3f, hit: PreviewHit) -> HostFrame {
     let metres = host_view.spacing.x;
     let centre = select(vec3f(PREVIEW_PLATE_CENTRE.x, 0.0, PREVIEW_PLATE_CENTRE.y), PREVIEW_BALL_CENTRE, hit.ball);
     let ddx = preview_step(eye, at, hit.normal, place + vec2f(1.0, 0.0));
     let ddy = preview_step(eye, at, hit.normal, place + vec2f(0.0, 1.0));
     let position = Place(vec2i(0i), (at - centre) * metres, ddx * metres, ddy * metres);
     let uv = Coord((at - centre).xz * 0.5 + 0.5, ddx.xz * 0.5, ddy.xz * 0.5);
-    return terrane_shade(HostFrame(
+    return HostFrame(
         position,
         uv,
         at.y * metres,
@@ -87,7 +90,7 @@ fn preview_material(place: vec2f, eye: vec3f, at: vec3f, hit: PreviewHit) -> Ter
         select(0.0, 1.0 / (PREVIEW_BALL * metres), hit.ball),
         hit.distance * metres,
         host_view.sun,
-    ));
+    );
 }
 
 @fragment
@@ -97,10 +100,14 @@ fn preview_fragment(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let ray = preview_ray(position.xy);
     let hit = preview_hit(eye, ray);
     let at = eye + ray * hit.distance;
-    var material = TerrainOut(PREVIEW_GREY, vec3f(0.0, 0.0, 1.0), 1.0, 0.0, 1.0, vec3f(0.0));
+    let bare = TerrainOut(PREVIEW_GREY, vec3f(0.0, 0.0, 1.0), 1.0, 0.0, 1.0, vec3f(0.0));
+    var seen = PreviewSeen(bare, 1.0, 1.0);
     let beside = abs(at.xz - PREVIEW_PLATE_CENTRE);
     if hit.ball || max(beside.x, beside.y) < PREVIEW_PLATE {
-        material = preview_material(position.xy, eye, at, hit);
+        seen = preview_seen(preview_frame(position.xy, eye, at, hit), -ray, position.xy);
     }
-    return vec4f(host_shade(material, hit.normal, -ray, preview_light(at, hit)), 1.0);
+    var light = preview_light(at, hit);
+    light.sun *= seen.sun;
+    seen.material.occlusion *= seen.open;
+    return vec4f(host_shade(seen.material, hit.normal, -ray, light), 1.0);
 }

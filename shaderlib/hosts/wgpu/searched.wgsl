@@ -10,7 +10,7 @@ struct HostSearched {
 @fragment
 fn terrain_fragment(vertex: HostVertex) -> HostSearched {
     let first = host_place(vertex, dpdx(vertex.local), dpdy(vertex.local));
-    let traced = host_traced(first);
+    let traced = host_traced(first.frame, first.to_eye, first.extent);
     if traced.relief.deepest <= 0.0 {
         return HostSearched(vec4f(0.0, 1.0, 0.0, 1.0), 0.0);
     }

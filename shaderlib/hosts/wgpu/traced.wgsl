@@ -2,8 +2,8 @@
 
 /// What the eye's ray met under a place.
 struct HostTraced {
-    /// The place where its material is, moved along the ground.
-    place: HostPlace,
+    /// The place whose material is seen, moved along the ground.
+    frame: HostFrame,
     relief: TerrainRelief,
     hit: DisplacedHit,
     /// From the first place to what was met, in metres along the ground's tangent, bitangent and normal.
@@ -21,30 +21,29 @@ const HOST_GRAZING: f32 = 0.02;
 
 /// A vector of the world in the axes of the ground.
 fn host_in_ground(traced: HostTraced, way: vec3f) -> vec3f {
-    return vec3f(dot(way, traced.tangent), dot(way, traced.bitangent), dot(way, traced.place.frame.normal));
+    return vec3f(dot(way, traced.tangent), dot(way, traced.bitangent), dot(way, traced.frame.normal));
 }
 
-/// Follows the eye's ray from the ground to its relief.
-fn host_traced(first: HostPlace) -> HostTraced {
-    let frame = first.frame;
+/// Follows the eye's ray from the ground to its relief. `extent` is the metres over all of `terrain_uv`, on x and z.
+fn host_traced(frame: HostFrame, to_eye: vec3f, extent: vec2f) -> HostTraced {
     let tangent = normal_to_world(vec3f(1.0, 0.0, 0.0), frame.normal);
     let bitangent = normal_to_world(vec3f(0.0, 1.0, 0.0), frame.normal);
     let pixel = 2.0 * length(host_view.right) / host_view.pixels.x * frame.distance;
     let relief = terrane_ground(frame, tangent, bitangent, pixel);
-    var traced = HostTraced(first, relief, DisplacedHit(0.0, 0u, true), vec3f(0.0), vec3f(0.0), tangent, bitangent);
+    var traced = HostTraced(frame, relief, DisplacedHit(0.0, 0u, true), vec3f(0.0), vec3f(0.0), tangent, bitangent);
     if relief.deepest <= 0.0 {
         return traced;
     }
-    let seen = host_in_ground(traced, -first.to_eye);
+    let seen = host_in_ground(traced, -to_eye);
     let way = normalize(vec3f(seen.xy, min(seen.z, -HOST_GRAZING)));
     traced.hit = terrane_trace(relief, DisplacedRay(vec3f(0.0), way));
     traced.point = way * traced.hit.distance;
-    traced.moved = -first.to_eye * traced.hit.distance;
+    traced.moved = -to_eye * traced.hit.distance;
     let along = tangent * traced.point.x + bitangent * traced.point.y;
-    traced.place.frame.position.local += along;
-    traced.place.frame.terrain_uv.uv += along.xz / first.extent;
-    traced.place.frame.height += along.y;
-    traced.place.frame.distance += traced.hit.distance;
+    traced.frame.position.local += along;
+    traced.frame.terrain_uv.uv += along.xz / extent;
+    traced.frame.height += along.y;
+    traced.frame.distance += traced.hit.distance;
     return traced;
 }
 

@@ -8,7 +8,7 @@ use terrane::render::{Gpu, Image, Preview, Progress, Selection, render_preview};
 use terrane::scene::{files, height_field, material};
 use terrane::{content, file};
 use terrane_codegen::compile::Compiled;
-use terrane_codegen::graph::model::{ReliefMethod, Terrain};
+use terrane_codegen::graph::model::{ReliefMethod, ReliefTrace, Terrain};
 use terrane_codegen::graph::{FileRole, Project};
 use terrane_shaderlib::relief::Method;
 
@@ -72,10 +72,8 @@ impl Render {
         let mut project = project::open(file)?;
         let path = project::relative(&mut project, file)?;
         let picture = match project.role(&path) {
-            Some(FileRole::Surface) if self.relief.is_some() || self.search => {
-                return Err(Failure::Usage(
-                    "--relief and --search are for scenes: a surface alone shows no relief".into(),
-                ));
+            Some(FileRole::Surface) if self.search => {
+                return Err(Failure::Usage("--search is for scenes".into()));
             }
             Some(FileRole::Surface) => self.surface(&mut project, &path)?,
             _ => self.scene(&mut project, &path)?,
@@ -115,9 +113,13 @@ impl Render {
         let (graphs, surface, warnings) =
             project.surface(path).map_err(|found| project::findings(&found, &project.sources))?;
         project::warn(&warnings, &project.sources);
+        let method = self.relief.map_or(ReliefTrace::ALONE.method, ReliefMethod::Fixed);
         let compiled = project::compiler(project, &project::PREVIEW_HOST)
-            .surface(&graphs, surface)
+            .surface(&graphs, surface, ReliefTrace { method, ..ReliefTrace::ALONE })
             .map_err(|found| project::findings(&found, &project.sources))?;
+        if self.relief.is_some() && compiled.program.relief.is_none() {
+            return Err(Failure::Usage(format!("--relief: {path} has no relief")));
+        }
         let gpu = self.prepare(project, &compiled)?;
         let bound = material(&compiled, project.root());
         let preview = Preview {

@@ -41,7 +41,7 @@ fn compile(project: &mut Project, path: &str) -> Result<Option<Compiled>, Vec<Di
         }
         Some(FileRole::Surface) => {
             let (graphs, surface, _) = project.surface(path)?;
-            compiler(project, &host).surface(&graphs, surface).map(Some)
+            compiler(project, &host).surface(&graphs, surface, ReliefTrace::ALONE).map(Some)
         }
         _ => Ok(None),
     }
@@ -95,6 +95,20 @@ fn so_is_a_terrain_with_every_method_of_tracing() {
         Module::with_pipelines(method.to_string(), &compiled.host.text).with_layouts(&layouts)
     };
     let Some(errors) = errors(&Method::all().into_iter().map(traced).collect::<Vec<_>>()) else { return };
+    assert_eq!(errors, "");
+}
+
+#[test]
+fn so_is_relief_in_the_picture_of_a_surface() {
+    let mut project = Project::open(Path::new(env!("CARGO_MANIFEST_DIR"))).expect("the project of this repository");
+    let (graphs, surface, _) = project.surface("graphs/surfaces/slabs.ron").expect("a surface with relief");
+    let host = hosts::preview();
+    let compiled = compiler(&project, &host).surface(&graphs, surface, ReliefTrace::ALONE);
+    let compiled = compiled.unwrap_or_else(|found| fail(&found, &project.sources));
+    assert!(compiled.host.text.contains("terrane_displace"), "no relief");
+    let layouts = layout::groups(&compiled.checked.module, &compiled.manifest);
+    let module = Module::with_pipelines("slabs", &compiled.host.text).with_layouts(&layouts);
+    let Some(errors) = errors(&[module]) else { return };
     assert_eq!(errors, "");
 }
 

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 
 use terrane_codegen::compile::Compiler;
 use terrane_codegen::diagnostic::{Diagnostic, Sources, render};
+use terrane_codegen::graph::model::ReliefTrace;
 use terrane_codegen::graph::{Memory, Project};
 use terrane_codegen::library::Library;
 use terrane_codegen::program::Options;
@@ -38,5 +39,7 @@ fn compile_in(project: &mut Project, path: &str) -> Result<(), Vec<Diagnostic>> 
     }
     let host = hosts::terrain();
     let (library, sources) = (&project.library, &project.sources);
-    Compiler { library, sources, host: &host, options: Options::default() }.surface(&graphs, surface).map(drop)
+    Compiler { library, sources, host: &host, options: Options::default() }
+        .surface(&graphs, surface, ReliefTrace::ALONE)
+        .map(drop)
 }

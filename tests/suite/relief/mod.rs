@@ -11,6 +11,7 @@ mod machine;
 mod metamorphic;
 mod plain;
 mod pops;
+mod previewed;
 mod refused;
 mod rendered;
 mod rounding;

@@ -7,12 +7,14 @@ use glam::DVec3;
 use tempfile::TempDir;
 use terrane::render::material::Material;
 use terrane::render::{
-    Camera, Gpu, HeightField, Progress, RenderScene, Rendered, Searched, View, render_with_depth, search_scene,
+    Camera, Gpu, HeightField, Image, Preview, Progress, RenderScene, Rendered, Searched, View, render_preview,
+    render_with_depth, search_scene,
 };
 use terrane::scene::material;
 use terrane_codegen::compile::{Compiled, Compiler};
 use terrane_codegen::diagnostic::render;
 use terrane_codegen::graph::Project;
+use terrane_codegen::graph::model::{ReliefMethod, ReliefTrace};
 use terrane_codegen::program::Options;
 use terrane_shaderlib::heightfield::adversary::Random;
 use terrane_shaderlib::heightfield::{Border, Heights, Texels};
@@ -133,6 +135,21 @@ impl Plain {
         search_scene(gpu, &self.scene(camera, &self.searched, &material), Progress::Hidden).expect("it can be drawn")
     }
 
+    /// Its first surface alone.
+    pub(super) fn preview(&self, gpu: &Gpu, method: Method, host: &Host) -> Image {
+        let mut project = open(&self.folder);
+        let answer = project.surface("graphs/surfaces/relief_0.ron");
+        let (graphs, surface, _) = answer.unwrap_or_else(|found| panic!("{}", render(&found, &project.sources, false)));
+        let (library, sources) = (&project.library, &project.sources);
+        let trace = ReliefTrace { method: ReliefMethod::Fixed(method), ..ReliefTrace::ALONE };
+        let compiler = Compiler { library, sources, host, options: Options::default() };
+        let compiled = compiler.surface(&graphs, surface, trace);
+        let compiled = compiled.unwrap_or_else(|found| panic!("{}", render(&found, sources, false)));
+        let material = &material(&compiled, self.folder.path());
+        let preview = Preview { shader: &compiled.host.text, material, size: 4.0, image: [192, 108], supersampling: 1 };
+        render_preview(gpu, &preview, Progress::Hidden).expect("it can be drawn")
+    }
+
     fn scene<'a>(&'a self, camera: Camera, compiled: &'a Compiled, material: &'a Material) -> RenderScene<'a> {
         RenderScene {
             shader: &compiled.host.text,
@@ -203,8 +220,12 @@ fn terrain(layers: usize, shape: Shape) -> String {
     )
 }
 
+fn open(folder: &TempDir) -> Project {
+    Project::open(folder.path()).unwrap_or_else(|error| panic!("{:?}", error.diagnostics))
+}
+
 fn compile(folder: &TempDir, host: &Host) -> Result<Compiled, String> {
-    let mut project = Project::open(folder.path()).unwrap_or_else(|error| panic!("{:?}", error.diagnostics));
+    let mut project = open(folder);
     let answer = project.terrain("graphs/terrains/plain.ron");
     let (graphs, terrain, _) = answer.map_err(|found| render(&found, &project.sources, false))?;
     let (library, sources) = (&project.library, &project.sources);

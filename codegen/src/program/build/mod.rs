@@ -28,10 +28,16 @@ impl Program {
         builder.finish(&terrain.name, terrain.blend)
     }
 
-    /// One surface alone.
-    pub fn of_surface(library: &Library, graphs: &Graphs, surface: GraphId, options: Options) -> Self {
+    /// One surface alone, its relief traced as it is said.
+    pub fn of_surface(
+        library: &Library,
+        graphs: &Graphs,
+        surface: GraphId,
+        trace: ReliefTrace,
+        options: Options,
+    ) -> Self {
         let mut builder = Builder::new(library, graphs, options);
-        builder.trace = Some(ReliefTrace::ALONE);
+        builder.trace = Some(trace);
         let graph = &graphs.graphs[surface.0];
         let span = Span { source: graph.source, start: 0, end: 0 };
         builder.layer(surface, graph.name.clone(), &BTreeMap::new(), None, span);
