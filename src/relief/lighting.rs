@@ -89,20 +89,23 @@ impl Lighting {
     #[must_use]
     pub fn shader(self, scene: &Scene, lid: f64) -> String {
         let reach = float(scene.reach.min(LONGEST));
-        with_call(self.method(), &self.call(scene, lid), &SEEN.replace("LIFT", &float(LIFT)).replace("REACH", &reach))
+        let answer = self.answer(scene, lid);
+        let answer = ANSWER.replace("LIFT", &float(LIFT)).replace("REACH", &reach).replace("SEEN", &answer);
+        with_call(self.method(), "relief_answer(index, ray)", &answer)
     }
 
-    fn call(self, scene: &Scene, lid: f64) -> String {
+    /// What becomes of `own`, the heights around a point, and of `point`, the ray from there.
+    fn answer(self, scene: &Scene, lid: f64) -> String {
         let (steps, radius, full) = (float(scene.steps), float(scene.sun.radius), float(lid.max(1.0)));
-        let soft = format!("relief_field, relief_point(ray), {steps}, {radius}");
+        let maps = "relief_heights, relief_bounds, relief_field";
         match self {
             Self::Hard | Self::HardWide => {
-                let ray = format!("shadow_under(relief_point(ray), {full})");
-                format!("relief_lit({})", self.method().call("relief_heights", "relief_bounds", "relief_field", &ray))
+                let name = self.method();
+                format!("relief_lit({name}_trace({maps}, shadow_under(point, {full}), own))")
             }
             Self::Parallax(samples) => format!(
                 "relief_seen(shadow_soft_parallax_share(relief_heights, relief_field, \
-                 shadow_under(relief_point(ray), {full}), {steps}, {radius}, {samples}u))"
+                 shadow_under(point, {full}), {steps}, {radius}, {samples}u))"
             ),
             Self::Published => {
                 // The listing's light vector is of length 1 in space, its scale the depth of the relief.
@@ -115,21 +118,23 @@ impl Lighting {
                 )
             }
             Self::FastHorizon(taps) => {
-                format!("relief_seen(shadow_fast_horizon_share(relief_heights, {soft}, {taps}u))")
+                let point = format!("relief_field, point, {steps}, {radius}, {taps}u");
+                format!("relief_seen(shadow_fast_horizon_share(relief_heights, {point}))")
             }
             Self::Cone(planes, coarse) => format!(
-                "relief_seen(shadow_cone_share(relief_heights, relief_bounds, {soft}, {full}, {planes}u, {coarse:?}f))"
+                "relief_seen(shadow_cone_share({maps}, point, own, {steps}, {radius}, {full}, {planes}u, {coarse:?}f))"
             ),
             Self::Sky(directions, turn, tolerance) => {
                 let sky = sky(directions, turn, &steps);
                 format!(
-                    "relief_seen(occlusion_directions_search(relief_heights, relief_bounds, {sky}, {full}, {directions}u, \
+                    "relief_seen(occlusion_directions_search({maps}, point, own, {sky}, {full}, {directions}u, \
                      {tolerance:?}f))"
                 )
             }
             Self::FastSky(directions, turn, taps) => {
                 let sky = sky(directions, turn, &steps);
-                format!("relief_seen(occlusion_directions_fast(relief_heights, {sky}, {directions}u, {taps}u))")
+                let point = format!("relief_field, point, {sky}, {directions}u, {taps}u");
+                format!("relief_seen(occlusion_directions_fast(relief_heights, {point}))")
             }
         }
     }
@@ -143,10 +148,7 @@ fn sky(directions: u32, turn: Turn, steps: &str) -> String {
             format!("fract(f32(index % 65536u) * 0.618034f) * {}", float(std::f64::consts::TAU / f64::from(directions)))
         }
     };
-    let normal = format!(
-        "relief_normal(relief_corners(relief_heights, relief_field, ray.cell, vec2i(0)), ray.origin.xy, {steps})"
-    );
-    format!("relief_field, relief_point(ray), {normal}, {steps}, {turn}")
+    format!("relief_normal(own, ray.origin.xy, {steps}), {steps}, {turn}")
 }
 
 /// A literal of a finite number.
@@ -158,9 +160,11 @@ fn float(value: f64) -> String {
 pub const LIFT: f64 = 2.0;
 
 /// From what is stored to what the library asks for, and back.
-const SEEN: &str = "
-fn relief_point(ray: ReliefRay) -> ReliefRay {
-    return shadow_ray(relief_heights, relief_field, ray.cell, ray.origin.xy, ray.direction, LIFT, REACH);
+const ANSWER: &str = "
+fn relief_answer(index: u32, ray: ReliefRay) -> ReliefHit {
+    let own = relief_corners(relief_heights, relief_field, ray.cell, vec2i(0i));
+    let point = shadow_ray(own, relief_field, ray.cell, ray.origin.xy, ray.direction, LIFT, REACH);
+    return SEEN;
 }
 
 fn relief_seen(seen: ShadowSeen) -> ReliefHit {

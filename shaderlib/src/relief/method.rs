@@ -77,13 +77,15 @@ impl Method {
     #[must_use]
     pub fn call(self, heights: &str, bounds: &str, field: &str, ray: &str) -> String {
         let exact = |name: &str| format!("{name}({heights}, {bounds}, {field}, {ray})");
+        let own = format!("relief_corners({heights}, {field}, {ray}.cell, vec2i(0i))");
+        let leaving = |name: &str| format!("{name}({heights}, {bounds}, {field}, {ray}, {own})");
         match self {
             Self::Walk => exact("walk_trace"),
             Self::Sprint => exact("sprint_trace"),
             Self::Wide => exact("wide_trace"),
             Self::MaximumMipmaps => exact("maximum_mipmaps_trace"),
-            Self::ShadowHard => exact("shadow_hard_trace"),
-            Self::ShadowWide => exact("shadow_wide_trace"),
+            Self::ShadowHard => leaving("shadow_hard_trace"),
+            Self::ShadowWide => leaving("shadow_wide_trace"),
             Self::RobustCone => exact("robust_cone_trace"),
             Self::Stride => exact("stride_trace"),
             Self::ConeStep(steps) => format!("cone_step_trace({heights}, {bounds}, {field}, {ray}, {steps}u)"),

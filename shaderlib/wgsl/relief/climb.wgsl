@@ -1,6 +1,6 @@
 //! The walk of a ray that leaves the ground, or grazes it: from the finest node up. Not a node.
 //!
-//! It starts in the cell of its origin, whose patch is looked at without asking for a bound, and goes up a level wherever it
+//! It starts in the cell of its origin, whose patch is known and is looked at without asking for a bound, and goes up a level wherever it
 //! crosses a border of the parent: no node is looked at that is larger than the way so far asks for. State, order and arithmetic
 //! are those of `walk`; but for a ray that rises, it is where it enters a node that decides, so nothing is done about its exit.
 //! Source: Terrane; after Tevs, Ihrke and Seidel, "Maximum Mipmaps for Fast, Accurate, and Scalable Dynamic Height Field Rendering", I3D 2008.
@@ -35,6 +35,11 @@ struct ClimbState {
 fn climb_start(frame: WalkFrame) -> ClimbState {
     let reach = frame.inverse + frame.before;
     return ClimbState(ClimbNode(vec2f(1.0), 1.0, 0i), 0.0, max(min(reach.x, reach.y), 0.0), 0.0, 0u, true);
+}
+
+/// The cell in which it stands, in the frame.
+fn climb_cell(frame: WalkFrame, state: ClimbState) -> vec2i {
+    return frame.base + vec2i(state.node.sides) - 1i;
 }
 
 /// Leaves the node, and walks until it stands in one where something may be in the way, is past the end, or has seen too many.

@@ -10,6 +10,8 @@ struct DisplacedLightRay {
     ray: ReliefRay,
     /// The mip that it is traced on.
     field: ReliefField,
+    /// The heights of the cell that it starts in.
+    own: vec4f,
     /// Steps of height that are as high as a texel of the ray's way is long.
     steps: f32,
 }
@@ -37,19 +39,14 @@ fn displaced_light_ray(
     // A light in the zenith still has a way over the ground.
     let fastest = max(max(abs(texels.x), abs(texels.y)), 1e-4);
     let way = select(texels, vec2f(fastest, texels.y), all(abs(texels) < vec2f(fastest))) / fastest;
-    let own = displaced_light_height(heights, field, start) + DISPLACED_LIGHT_LIFT;
-    let height = max(DISPLACED_STEPS + (point.z + layer.sink) * steps, own);
+    let own = relief_corners(heights, field, start.cell, vec2i(0));
+    let ground = mix(mix(own.x, own.y, start.place.x), mix(own.z, own.w, start.place.x), start.place.y);
+    let height = max(DISPLACED_STEPS + (point.z + layer.sink) * steps, ground + DISPLACED_LIGHT_LIFT);
     let rise = max(light.z, 1e-4) * steps / fastest;
     let end = min(max(DISPLACED_STEPS + 1.0 - height, 0.0) / rise, DISPLACED_LONGEST);
     let ray = ReliefRay(start.cell, vec3f(start.place, height), vec3f(way, rise), end);
     let metres = length(light.xy) / fastest;
-    return DisplacedLightRay(ray, field, max(metres, 1e-6) * steps / length(way));
-}
-
-/// The height under the start of a ray.
-fn displaced_light_height(heights: texture_2d_array<u32>, field: ReliefField, start: DisplacedCell) -> f32 {
-    let corners = relief_corners(heights, field, start.cell, vec2i(0));
-    return mix(mix(corners.x, corners.y, start.place.x), mix(corners.z, corners.w, start.place.x), start.place.y);
+    return DisplacedLightRay(ray, field, own, max(metres, 1e-6) * steps / length(way));
 }
 
 /// 1 where the middle of the sun is seen, else 0; between two mips, between what they say.
@@ -76,7 +73,7 @@ fn displaced_light_hard_on(
     bounds: texture_2d_array<u32>,
 ) -> f32 {
     let sight = displaced_light_ray(layer, ray.origin, ray.direction, mip, heights);
-    let hit = shadow_hard_trace(heights, bounds, sight.field, sight.ray);
+    let hit = shadow_hard_trace(heights, bounds, sight.field, sight.ray, sight.own);
     return select(1.0, 0.0, hit.state == RELIEF_HIT);
 }
 
@@ -107,7 +104,9 @@ fn displaced_light_disc_on(
 ) -> f32 {
     let sight = displaced_light_ray(layer, ray.origin, ray.direction, mip, heights);
     let sent = ReliefRay(sight.ray.cell, sight.ray.origin, sight.ray.direction, DISPLACED_LONGEST);
-    let seen = shadow_cone_share(heights, bounds, sight.field, sent, sight.steps, radius, DISPLACED_STEPS, 1u, 1.0);
+    let seen = shadow_cone_share(
+        heights, bounds, sight.field, sent, sight.own, sight.steps, radius, DISPLACED_STEPS, 1u, 1.0,
+    );
     return seen.share;
 }
 
@@ -152,7 +151,7 @@ fn displaced_light_sky_on(
     let sent = ReliefRay(sight.ray.cell, sight.ray.origin, vec3f(1.0, 0.0, 0.0), reach);
     let turned = displaced_light_turned(layer, normal);
     let seen = occlusion_directions_search(
-        heights, bounds, sight.field, sent, turned, steps, turn, DISPLACED_STEPS, directions,
+        heights, bounds, sight.field, sent, sight.own, turned, steps, turn, DISPLACED_STEPS, directions,
         DISPLACED_LIGHT_TOLERANCE,
     );
     return seen.share;

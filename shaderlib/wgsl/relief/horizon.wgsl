@@ -22,12 +22,13 @@ struct HorizonFound {
 /// ends at one of `enough`. No texel is higher than `lid`. A node that is not larger than `coarse` times its distance stands for
 /// all in it: with more than 0 the answer is faster and, if anything, too high. What rises over the horizon by no more than
 /// `tolerance`, steps for each t, is passed over: with more than 0 the answer may be so much too low, and far faster on ground
-/// that curves up, where every patch raises the horizon a little.
+/// that curves up, where every patch raises the horizon a little. `own` are the heights of the cell that it starts in.
 fn horizon_search(
     heights: texture_2d_array<u32>,
     bounds: texture_2d_array<u32>,
     field: ReliefField,
     ray: ReliefRay,
+    own: vec4f,
     enough: f32,
     lid: f32,
     coarse: f32,
@@ -37,15 +38,12 @@ fn horizon_search(
     var horizon = frame.direction.z;
     frame.direction.z += tolerance;
     var state = climb_start(frame);
+    var corners = relief_mirrored(own, frame.mirror);
     var leaves = 0u;
     while state.stands {
         var slope = (state.bound - frame.origin.z) / max(state.t, 1e-6);
         if state.node.level == 0i {
-            leaves++;
-            let sides = state.node.sides;
-            let cell = frame.base + vec2i(sides) - 1i;
-            let corners = relief_corners(heights, field, cell, frame.mirror);
-            let start = frame.origin.xy - (sides - 1.0);
+            let start = frame.origin.xy - (state.node.sides - 1.0);
             slope = horizon_patch(corners, vec3f(start, frame.origin.z), frame.direction.xy, state.t, state.leave);
         }
         horizon = max(horizon, slope);
@@ -55,6 +53,10 @@ fn horizon_search(
         frame.direction.z = horizon + tolerance;
         frame.end = min(ray.end, max(lid - frame.origin.z, 0.0) / max(frame.direction.z, 1e-6));
         state = climb_on(bounds, field, frame, state, coarse);
+        if state.stands && state.node.level == 0i {
+            leaves++;
+            corners = relief_corners(heights, field, climb_cell(frame, state), frame.mirror);
+        }
     }
     let done = state.t >= frame.end || horizon >= enough;
     return HorizonFound(horizon, done, state.steps, leaves);

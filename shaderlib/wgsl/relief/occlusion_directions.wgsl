@@ -7,12 +7,13 @@
 
 /// By exact horizons. Of the ray only its start, above the ground, and its end count: no land beyond that t hides the sky.
 /// `normal` is the surface's, z up, of length 1; `steps` of height are as long as a texel is wide; no texel is above `lid`. The
-/// tangent of a horizon may be too small by `tolerance`.
+/// tangent of a horizon may be too small by `tolerance`. `own` are the heights of the cell that it starts in.
 fn occlusion_directions_search(
     heights: texture_2d_array<u32>,
     bounds: texture_2d_array<u32>,
     field: ReliefField,
     ray: ReliefRay,
+    own: vec4f,
     normal: vec3f,
     steps: f32,
     turn: f32,
@@ -29,7 +30,8 @@ fn occlusion_directions_search(
         let scale = 1.0 / max(abs(way.x), abs(way.y));
         let sight = ReliefRay(ray.cell, ray.origin, vec3f(way, least * steps) * scale, ray.end);
         let sent = ReliefRay(ray.cell, ray.origin, sight.direction, shadow_end(field, sight));
-        let found = horizon_search(heights, bounds, field, sent, RELIEF_NEVER, lid, 0.0, tolerance * steps * scale);
+        let passed = tolerance * steps * scale;
+        let found = horizon_search(heights, bounds, field, sent, own, RELIEF_NEVER, lid, 0.0, passed);
         seen.share += occlusion_directions_wedge(along, normal.z, found.slope / (steps * scale));
         seen.state = select(RELIEF_UNRESOLVED, seen.state, found.done);
         seen.steps += found.steps;

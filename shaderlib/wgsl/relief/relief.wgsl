@@ -90,6 +90,12 @@ fn relief_corners(heights: texture_2d_array<u32>, field: ReliefField, cell: vec2
     );
 }
 
+/// The heights of a cell as a mirrored frame has them.
+fn relief_mirrored(corners: vec4f, mirror: vec2i) -> vec4f {
+    let along = select(corners, corners.yxwz, mirror.x != 0i);
+    return select(along, along.zwxy, mirror.y != 0i);
+}
+
 /// How far on a ray meets a patch: the first root in 0..span, or RELIEF_NEVER. `place` is in the cell, z in steps.
 ///
 /// The ray's height less the patch's is a quadratic in t; of the two forms of each root that one is taken which does not

@@ -15,9 +15,9 @@ struct ShadowSeen {
 
 /// The ray from a point of the surface to a light. `light` counts as positions do: x and y in texels, z in steps; its x and y
 /// are not both 0. The ray starts `lift` steps above the patch, since the ground itself is in its own shadow: two are enough for
-/// 16 bits, 1/128 for 8. It ends after `reach` texels.
+/// 16 bits, 1/128 for 8. It ends after `reach` texels. `own` are the heights of its cell.
 fn shadow_ray(
-    heights: texture_2d_array<u32>,
+    own: vec4f,
     field: ReliefField,
     cell: vec2i,
     place: vec2f,
@@ -25,8 +25,7 @@ fn shadow_ray(
     lift: f32,
     reach: f32,
 ) -> ReliefRay {
-    let corners = relief_corners(heights, field, cell, vec2i(0));
-    let height = mix(mix(corners.x, corners.y, place.x), mix(corners.z, corners.w, place.x), place.y);
+    let height = mix(mix(own.x, own.y, place.x), mix(own.z, own.w, place.x), place.y);
     let direction = light / max(abs(light.x), abs(light.y));
     let ray = ReliefRay(cell, vec3f(place, height + lift), direction, reach / length(direction.xy));
     return ReliefRay(cell, ray.origin, direction, shadow_end(field, ray));

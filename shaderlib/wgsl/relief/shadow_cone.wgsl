@@ -9,12 +9,13 @@
 
 /// The share of the disc. The ray starts above the ground and leads to the disc's middle; what is beyond its end casts no
 /// shadow. `steps` of height are as long as a texel is wide, `radius` is the tangent of the disc's, `lid` the highest height of
-/// the map. `planes` is at least 1; `coarse` counts in radii of the cone, 0 for exact horizons.
+/// the map. `own` are the heights of the cell that it starts in. `planes` is at least 1; `coarse` counts in radii of the cone, 0 for exact horizons.
 fn shadow_cone_share(
     heights: texture_2d_array<u32>,
     bounds: texture_2d_array<u32>,
     field: ReliefField,
     ray: ReliefRay,
+    own: vec4f,
     steps: f32,
     radius: f32,
     lid: f32,
@@ -33,7 +34,7 @@ fn shadow_cone_share(
         let high = unit * shadow_cone_tangent(tangent, half * radius);
         let chord = ReliefRay(ray.cell, ray.origin, vec3f(way, low), ray.end);
         let sent = ReliefRay(ray.cell, ray.origin, chord.direction, shadow_end(field, chord));
-        let found = horizon_search(heights, bounds, field, sent, high, lid, coarse * radius, 0.0);
+        let found = horizon_search(heights, bounds, field, sent, own, high, lid, coarse * radius, 0.0);
         let slope = found.slope / unit;
         let line = (slope - tangent) / ((1.0 + slope * tangent) * radius);
         let part = select(saturate((half - line) / (2.0 * half)), shadow_disc(line), planes == 1u);

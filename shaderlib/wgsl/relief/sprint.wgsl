@@ -61,6 +61,5 @@ fn sprint_corners(
     let words = vec2i(textureLoad(patches, ((cell ^ mirror) & field.wrap) + field.patches, field.layer).rg);
     let low = words & vec2i(0xffffi);
     let high = (words >> vec2u(16u)) & vec2i(0xffffi);
-    let along = vec4f(select(vec4i(low.x, high.x, low.y, high.y), vec4i(high.x, low.x, high.y, low.y), mirror.x != 0i));
-    return select(along, along.zwxy, mirror.y != 0i);
+    return relief_mirrored(vec4f(vec4i(low.x, high.x, low.y, high.y)), mirror);
 }

@@ -40,19 +40,20 @@ fn wide_trace(
     field: ReliefField,
     ray: ReliefRay,
 ) -> ReliefHit {
-    return wide_from(heights, bounds, field, ray, walk_entry(ray.end) / 2i);
+    let frame = walk_frame(ray);
+    let entry = clamp(walk_entry(ray.end) / 2i, 1i, field.top);
+    return wide_from(heights, bounds, field, frame, WideState(frame.base, entry, 0.0, false));
 }
 
-/// The same from a node of this level up.
+/// The same from where a ray has come to.
 fn wide_from(
     heights: texture_2d_array<u32>,
     bounds: texture_2d_array<u32>,
     field: ReliefField,
-    ray: ReliefRay,
-    entry: i32,
+    frame: WalkFrame,
+    start: WideState,
 ) -> ReliefHit {
-    let frame = walk_frame(ray);
-    var state = WideState(frame.base, clamp(entry, 1i, field.top), 0.0, false);
+    var state = start;
     var node = WideNode(vec3i(0i), 0i, 0u, vec4u(0u));
     // The one that the node was come down from, which the ray may soon be back in.
     var parent = node;

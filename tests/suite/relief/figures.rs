@@ -27,7 +27,7 @@ fn mountains() -> Option<Subject> {
 }
 
 fn shadows() -> Vec<Lighting> {
-    let cones = [(1, 0.0), (1, 32.0), (3, 0.0)].map(|(planes, coarse)| Lighting::Cone(planes, coarse));
+    let cones = [(1, 0.0), (1, 32.0), (3, 0.0), (7, 0.0)].map(|(planes, coarse)| Lighting::Cone(planes, coarse));
     let others = [Lighting::Parallax(16), Lighting::Parallax(64), Lighting::Published, Lighting::FastHorizon(8)];
     [Lighting::Hard, Lighting::HardWide].into_iter().chain(cones).chain(others).collect()
 }
@@ -68,7 +68,7 @@ fn print(gpu: &Gpu, place: &Place<'_>, points: &[[f64; 2]], truth: &[f64], metho
 
 /// The maps of materials, and land.
 fn maps() -> impl Iterator<Item = Subject> {
-    let named = |subject: &Subject| ["cracked_rock", "pebbles", "hills", "cracks"].contains(&&*subject.name);
+    let named = |subject: &Subject| ["cracked_rock", "pebbles", "hills", "cracks", "needles"].contains(&&*subject.name);
     MAPS.iter().map(|map| map.make(SIDE)).filter(named).chain(mountains())
 }
 

@@ -62,13 +62,16 @@ fn coordinates_that_bend_rays_are_refused_where_they_are_made() {
 }
 
 #[test]
-fn a_surface_alone_shows_no_relief_and_says_so() {
+fn a_surface_is_not_asked_for_what_it_does_not_have() {
     let scratch = Scratch::of(".");
-    for option in [&["--relief", "walk"][..], &["--search"]] {
-        let arguments = [&["render", "graphs/surfaces/brickwork.ron", "-o", "picture.png"], option].concat();
-        let output = scratch.run(&arguments);
+    let asked = [
+        (["graphs/surfaces/scree.ron", "--relief", "walk"].as_slice(), "scree.ron has no relief"),
+        (&["graphs/surfaces/brickwork.ron", "--search"], "--search is for scenes"),
+    ];
+    for (arguments, why) in asked {
+        let output = scratch.run(&[&["render", "-o", "picture.png"], arguments].concat());
         let said = String::from_utf8_lossy(&output.stderr);
         assert_eq!(output.status.code(), Some(2), "{said}");
-        assert!(said.contains("for scenes") && !scratch.path("picture.png").exists(), "{said}");
+        assert!(said.contains(why) && !scratch.path("picture.png").exists(), "{said}");
     }
 }
