@@ -19,6 +19,8 @@ pub enum Lighting {
     Hard,
     /// `shadow_wide.wgsl`: the same with fewer loads.
     HardWide,
+    /// `shadow_soft_parallax.wgsl` as published: seven samples.
+    ParallaxPublished,
     /// `shadow_soft_parallax.wgsl`: samples along the ray.
     Parallax(u32),
     /// `shadow_fast_horizon.wgsl` as published: five taps.
@@ -72,7 +74,11 @@ impl Lighting {
         match self {
             Self::Hard | Self::Cone(..) | Self::Sky(..) => Bounds::CellMax,
             Self::HardWide => Bounds::Wide,
-            Self::Parallax(_) | Self::Published | Self::FastHorizon(_) | Self::FastSky(..) => Bounds::None,
+            Self::ParallaxPublished
+            | Self::Parallax(_)
+            | Self::Published
+            | Self::FastHorizon(_)
+            | Self::FastSky(..) => Bounds::None,
         }
     }
 
@@ -107,10 +113,13 @@ impl Lighting {
                 "relief_seen(shadow_soft_parallax_share(relief_heights, relief_field, \
                  shadow_under(point, {full}), {steps}, {radius}, {samples}u))"
             ),
+            Self::ParallaxPublished => format!(
+                "relief_seen(shadow_soft_parallax_published(relief_heights, relief_field, ray.cell, ray.origin.xy, {}, \
+                 0.58, {full}))",
+                published(scene, lid)
+            ),
             Self::Published => {
-                // The listing's light vector is of length 1 in space, its scale the depth of the relief.
-                let reach = float(lid / scene.steps / scene.sun.tangent.hypot(1.0));
-                let light = format!("normalize(ray.direction.xy) * {reach}");
+                let light = published(scene, lid);
                 let weights = "array<f32, 5>(2.0, 1.7, 1.4, 1.2, 1.0)";
                 format!(
                     "relief_seen(shadow_fast_horizon_published(relief_heights, relief_field, ray.cell, ray.origin.xy, \
@@ -138,6 +147,11 @@ impl Lighting {
             }
         }
     }
+}
+
+/// The published ones' light over the ground, in texels: a vector of length 1 in space times the depth of the relief.
+fn published(scene: &Scene, lid: f64) -> String {
+    format!("normalize(ray.direction.xy) * {}", float(lid / scene.steps / scene.sun.tangent.hypot(1.0)))
 }
 
 fn sky(directions: u32, turn: Turn, steps: &str) -> String {

@@ -28,7 +28,13 @@ fn mountains() -> Option<Subject> {
 
 fn shadows() -> Vec<Lighting> {
     let cones = [(1, 0.0), (1, 32.0), (3, 0.0), (7, 0.0)].map(|(planes, coarse)| Lighting::Cone(planes, coarse));
-    let others = [Lighting::Parallax(16), Lighting::Parallax(64), Lighting::Published, Lighting::FastHorizon(8)];
+    let others = [
+        Lighting::ParallaxPublished,
+        Lighting::Parallax(16),
+        Lighting::Parallax(64),
+        Lighting::Published,
+        Lighting::FastHorizon(8),
+    ];
     [Lighting::Hard, Lighting::HardWide].into_iter().chain(cones).chain(others).collect()
 }
 

@@ -135,6 +135,32 @@ fn leaves_the_ground(method: Method) {
     assert!(faults.is_empty(), "{method}: {} of {count} rays\n{first:#?}", faults.len());
 }
 
+/// The table of the sample, in f64.
+fn published_parallax(place: &Place<'_>, [x, y]: [f64; 2], lid: f64) -> f64 {
+    let Sun { towards, tangent, .. } = place.scene.sun;
+    let reach = lid / place.scene.steps / tangent.hypot(1.0);
+    let at = |part: f64| place.heights.surface(x + part * reach * towards[0], y + part * reach * towards[1]) / lid;
+    let taps = [(0.88, 1.0), (0.77, 2.0), (0.66, 4.0), (0.55, 6.0), (0.44, 8.0), (0.33, 10.0), (0.22, 12.0)];
+    let blocked = taps.map(|(part, weight)| (at(part) - at(0.0) - part) * weight * 0.58);
+    1.0 - blocked.into_iter().fold(0.0, f64::max).min(1.0)
+}
+
+#[test]
+fn published_parallax_shadows_are_those_of_the_table() {
+    let Some(gpu) = device() else { return };
+    let mut partly = 0;
+    for subject in subjects(128) {
+        let place = Place::new(&subject, Sun::new(34.0, 30.0, 0.27));
+        let points = place.facing(24);
+        let lid = place.heights.highest();
+        let truth: Vec<f64> = points.iter().map(|point| published_parallax(&place, *point, lid)).collect();
+        partly += truth.iter().filter(|share| (0.01..0.99).contains(*share)).count();
+        let off = largest(&differences(&place.seen(&gpu, Lighting::ParallaxPublished, &points), &truth));
+        assert!(off < 1e-3, "{}: off by {off}", subject.name);
+    }
+    assert!(partly > 100, "only {partly} points are partly lit");
+}
+
 #[test]
 fn a_lower_sun_never_lights_more() {
     let Some(gpu) = device() else { return };
@@ -271,6 +297,7 @@ fn tint_accepts_every_question_about_the_light() {
     let scene = Scene { sun: Sun::new(30.0, 20.0, 0.3), steps: 1280.0, reach: 100.0 };
     let all = [
         Lighting::Hard,
+        Lighting::ParallaxPublished,
         Lighting::Parallax(16),
         Lighting::Published,
         Lighting::FastHorizon(8),

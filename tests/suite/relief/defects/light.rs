@@ -38,6 +38,14 @@ fn light_leaks_through_a_wall_between_the_samples_of_parallax_shadows() {
 }
 
 #[test]
+fn published_parallax_shadows_take_every_sun_to_stand_at_45_degrees() {
+    let Some(gpu) = device() else { return };
+    // The relief is 3.2 texels deep: what stands farther away is not looked at, though the sun is low.
+    assert_eq!(beside(&gpu, &wall(24, 60000), 8.0, Lighting::ParallaxPublished), (1.0, 0.0));
+    assert!(beside(&gpu, &wall(21, 60000), 8.0, Lighting::ParallaxPublished).0 < 0.1);
+}
+
+#[test]
 fn light_leaks_past_what_the_fast_horizon_averages_away() {
     let Some(gpu) = device() else { return };
     // 12 texels away a tap reads mip 3, in which the wall is an eighth as high.
