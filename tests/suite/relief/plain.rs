@@ -38,6 +38,8 @@ pub(super) struct Shape {
     pub(super) fade: (f64, f64),
     /// `None` is what a terrain has where it wants the best.
     pub(super) method: Option<Method>,
+    /// The node that gives its normals; `None` where the surface says nothing.
+    pub(super) normal: Option<&'static str>,
 }
 
 /// A map that is as rough at every scale: blocks of 1 to 16 texels, each kind with a fifth of the height.
@@ -57,7 +59,7 @@ pub(super) fn rough(side: u32) -> Heights {
 pub(super) const IMAGE: [u32; 2] = [64, 128];
 
 /// Deep stones, 32 texels to a metre where the map has 64.
-pub(super) const SHAPE: Shape = Shape { tile: 2.0, depth: 0.25, fade: (20.0, 36.0), method: None };
+pub(super) const SHAPE: Shape = Shape { tile: 2.0, depth: 0.25, fade: (20.0, 36.0), method: None, normal: None };
 
 /// What a pixel looks at.
 pub(super) struct Sight {
@@ -187,6 +189,8 @@ fn grey(path: &Path, [width, height]: [u32; 2], texels: &[u16]) {
 /// One of so many layers; one over others covers what is left to it of the ground.
 fn surface(index: usize, count: usize, shape: Shape) -> String {
     let Shape { tile, depth, .. } = shape;
+    let tilt = shape.normal.map(|node| format!(r#", "tilt": {node}"#)).unwrap_or_default();
+    let normal = shape.normal.map_or("", |_| ", normal: tilt");
     let mask = 1.0 / (index + 1) as f64;
     let mask = if count > 1 { format!(", mask: {mask:?}") } else { String::new() };
     format!(
@@ -194,8 +198,8 @@ fn surface(index: usize, count: usize, shape: Shape) -> String {
     version: 1,
     doc: "A relief.",
     textures: {{ "relief": (file: "relief_{index}.png", color: linear, channel: r) }},
-    nodes: {{ "uv": planar(position: position, tile: {tile:?}) }},
-    outputs: (albedo: (0.4, 0.4, 0.4){mask}, relief: (height: relief, uv: uv, depth: {depth:?})),
+    nodes: {{ "uv": planar(position: position, tile: {tile:?}){tilt} }},
+    outputs: (albedo: (0.4, 0.4, 0.4){mask}{normal}, relief: (height: relief, uv: uv, depth: {depth:?})),
 )
 "#
     )

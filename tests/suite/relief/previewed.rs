@@ -5,7 +5,7 @@ use terrane_shaderlib::hosts::{self, Host};
 use terrane_shaderlib::relief::Method;
 
 use super::device;
-use super::plain::{Plain, SHAPE, rough};
+use super::plain::{Plain, SHAPE, Shape, rough};
 
 /// A host that knows no relief.
 fn flat() -> Host {
@@ -29,6 +29,23 @@ fn relief_at_the_height_of_the_ground_changes_nothing() {
     let plain = Plain::new(&full, SHAPE);
     let [with, without] = [hosts::preview(), flat()].map(|host| plain.preview(&gpu, Method::Walk, &host).pixels);
     assert_eq!(other(&with, &without), 0.0);
+}
+
+#[test]
+fn a_surface_that_says_no_normal_is_shaded_by_its_relief() {
+    let Some(gpu) = device() else { return };
+    let drawn = |normal: Option<&'static str>| {
+        let plain = Plain::new(&rough(64), Shape { normal, ..SHAPE });
+        plain.preview(&gpu, Method::Walk, &hosts::preview()).pixels
+    };
+    let own = drawn(None);
+    let flat = other(&own, &drawn(Some("normal_map(texel: (0.5, 0.5, 1.0, 1.0))")));
+    assert!(flat > 0.12, "only {flat} of the picture is shaded otherwise than flat ground");
+    // Where coordinates are those of the plane, the slope along them says the same; the ball's are not.
+    let stated = drawn(Some("normal_from_height(of: relief, uv: uv, depth: 0.25, tile: 2.0)"));
+    let square = |bytes: &[u8]| bytes.chunks(3 * 192).flat_map(|row| row[..3 * 90].to_vec()).collect::<Vec<u8>>();
+    let part = other(&square(&own), &square(&stated));
+    assert!(part < 0.001, "{part} of the square is shaded otherwise than with the node");
 }
 
 #[test]

@@ -7,8 +7,8 @@ use super::graph::Context;
 use super::resource::position;
 use crate::diagnostic::Span;
 use crate::graph::model::{FrameField, GraphId, LayerMask, Relief, SURFACE_OUTPUTS};
-use crate::program::{LayerRelief, Op, ProgramLayer, ProgramRelief, ReliefArray, ReliefMap, ValueId};
-use crate::value::Literal;
+use crate::program::{LayerRelief, Op, Origin, ProgramLayer, ProgramRelief, ReliefArray, ReliefMap, ValueId};
+use crate::value::{Literal, Type};
 
 impl<'a> Builder<'a> {
     /// A surface that lies twice gets a number, so that each layer has parameters of its own.
@@ -56,6 +56,7 @@ impl<'a> Builder<'a> {
             let value = match (graph.outputs.get(*output), &graph.relief, default) {
                 (Some(given), _, _) => self.input(&context, &given.input),
                 (None, Some(relief), _) if *output == "height" => self.relief_height(&context, relief),
+                (None, Some(relief), _) if *output == "normal" => self.relief_normal(&context, relief),
                 (None, _, Some(default)) => self.literal(Literal::floats(default)),
                 // Resolution refuses a surface without the outputs that have no default.
                 (None, _, None) => continue,
@@ -83,6 +84,25 @@ impl<'a> Builder<'a> {
         let map = ReliefMap { file: texture.file.clone(), channel: texture.channel.unwrap_or(0) };
         let layer = position(&mut arrays[array].maps, |known| *known == map, || map.clone());
         Some(LayerRelief { array, layer, uv, depth: relief.depth, span: relief.span })
+    }
+
+    /// The normal of the heights, for shading where the author gives none.
+    fn relief_normal(&mut self, context: &Context<'a>, relief: &Relief) -> ValueId {
+        let texture = &context.graph.textures[relief.texture];
+        let channel = Literal::U32(u32::from(texture.channel.unwrap_or(0)));
+        let frame = |field: FrameField| (Op::Frame(field), field.ty());
+        let [position, ground] = [FrameField::Position, FrameField::Normal].map(frame);
+        let inputs = vec![
+            self.texture(texture),
+            self.input(context, &relief.uv),
+            self.leaf(position.0, position.1),
+            self.leaf(ground.0, ground.1),
+            self.literal(Literal::f32(relief.depth)),
+            self.literal(channel),
+        ];
+        let normal = self.call("normal_from_relief", inputs, Type::Vec3);
+        self.program.pool.name(normal, Origin { path: format!("{}/relief_normal", context.path), span: relief.span });
+        normal
     }
 
     fn relief_height(&mut self, context: &Context<'a>, relief: &Relief) -> ValueId {
