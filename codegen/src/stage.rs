@@ -29,15 +29,16 @@ struct Kind<'a> {
 
 /// Refuses more textures than a stage may bind beside those of the host.
 pub(crate) fn limits(program: &Program, host: &str) -> Result<(), Vec<Diagnostic>> {
+    let [sampled, storage] = texture_variables(host);
     let sampled = Kind {
         name: "texture arrays",
-        free: SAMPLED.saturating_sub(texture_variables(host)),
+        free: SAMPLED.saturating_sub(sampled),
         textures: arrays(program).chain(maps(program, |texture| !texture.is_storage())).collect(),
         help: "files of equal size and format share an array: bring the textures to few sizes and formats",
     };
     let storage = Kind {
         name: "storage textures",
-        free: STORAGE,
+        free: STORAGE.saturating_sub(storage),
         textures: maps(program, MapTexture::is_storage).collect(),
         help: "height maps of equal size share theirs: bring them to few sizes, or write `method: walk`",
     };

@@ -63,7 +63,7 @@ pub struct Seen {
     pub share: Option<f64>,
     /// Nodes or samples read.
     pub steps: u32,
-    /// Patches looked at, four texels each.
+    /// Patches loaded besides the point's own, four texels each.
     pub leaves: u32,
 }
 

@@ -4,6 +4,7 @@ use terrane_codegen::diagnostic::Sources;
 use terrane_codegen::library::Library;
 use terrane_shaderlib::relief::{MapTexture, Method};
 
+use super::texture;
 use crate::render::Gpu;
 
 const HOST: &str = "
@@ -77,7 +78,7 @@ fn call(method: Method, field: &str) -> String {
 pub(super) fn with_call(method: Method, call: &str, more: &str) -> String {
     let library =
         Library::load(&mut Sources::default(), &[]).expect("the shipped library is right, which its tests show");
-    let [heights, bounds] = [method.reads()[0], MapTexture::Bounds(method.bounds())].map(MapTexture::wgsl);
+    let [heights, bounds] = textures(method).map(MapTexture::wgsl);
     let host = HOST.replace("HEIGHTS", &heights).replace("BOUNDS", &bounds).replace("COLUMNS", &COLUMNS.to_string());
     let host = host.replace("CALL", call) + more;
     let items = library.closure(&host);
@@ -119,20 +120,21 @@ fn module(gpu: &Gpu, text: &str) -> wgpu::ShaderModule {
 
 fn entry(method: Method, binding: u32) -> wgpu::BindGroupLayoutEntry {
     let buffer = |ty| wgpu::BindingType::Buffer { ty, has_dynamic_offset: false, min_binding_size: None };
-    let array = wgpu::TextureViewDimension::D2Array;
-    let access = wgpu::StorageTextureAccess::ReadOnly;
-    let storage = |format, view_dimension| wgpu::BindingType::StorageTexture { access, format, view_dimension };
-    let ty = match (binding, method) {
-        (0, _) => buffer(wgpu::BufferBindingType::Uniform),
-        (1, _) => storage(wgpu::TextureFormat::Rgba32Uint, wgpu::TextureViewDimension::D2),
-        (2, _) => buffer(wgpu::BufferBindingType::Storage { read_only: false }),
-        (3, Method::Sprint) => storage(wgpu::TextureFormat::Rg32Uint, array),
-        (4, Method::Sprint) => storage(wgpu::TextureFormat::R32Uint, array),
-        _ => wgpu::BindingType::Texture {
-            sample_type: wgpu::TextureSampleType::Uint,
-            view_dimension: array,
-            multisampled: false,
+    let ty = match binding {
+        0 => buffer(wgpu::BufferBindingType::Uniform),
+        1 => wgpu::BindingType::StorageTexture {
+            access: wgpu::StorageTextureAccess::ReadOnly,
+            format: wgpu::TextureFormat::Rgba32Uint,
+            view_dimension: wgpu::TextureViewDimension::D2,
         },
+        2 => buffer(wgpu::BufferBindingType::Storage { read_only: false }),
+        3 => texture::binding(textures(method)[0]),
+        _ => texture::binding(textures(method)[1]),
     };
     wgpu::BindGroupLayoutEntry { binding, visibility: wgpu::ShaderStages::COMPUTE, ty, count: None }
+}
+
+/// What is bound as heights and as bounds.
+fn textures(method: Method) -> [MapTexture; 2] {
+    [method.reads()[0], MapTexture::Bounds(method.bounds())]
 }

@@ -1,6 +1,6 @@
 //! Planes of maps as textures.
 
-use terrane_shaderlib::relief::{Plane, Words};
+use terrane_shaderlib::relief::{MapTexture, Plane, Words};
 use wgpu::util::{DeviceExt as _, TextureDataOrder};
 
 use super::setup::DeviceRay;
@@ -38,6 +38,18 @@ pub(crate) fn textures(gpu: &Gpu, planes: &[&Plane]) -> wgpu::TextureView {
     }
     let dimension = Some(wgpu::TextureViewDimension::D2Array);
     texture.create_view(&wgpu::TextureViewDescriptor { dimension, ..Default::default() })
+}
+
+/// How a texture over height maps is bound.
+pub(crate) fn binding(texture: MapTexture) -> wgpu::BindingType {
+    let view_dimension = wgpu::TextureViewDimension::D2Array;
+    if !texture.is_storage() {
+        let sample_type = wgpu::TextureSampleType::Uint;
+        return wgpu::BindingType::Texture { sample_type, view_dimension, multisampled: false };
+    }
+    let format =
+        if texture == MapTexture::Patches { wgpu::TextureFormat::Rg32Uint } else { wgpu::TextureFormat::R32Uint };
+    wgpu::BindingType::StorageTexture { access: wgpu::StorageTextureAccess::ReadOnly, format, view_dimension }
 }
 
 /// The bytes of every mip.

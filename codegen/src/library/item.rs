@@ -49,10 +49,15 @@ pub(crate) fn items(text: &str) -> Vec<Item> {
     found
 }
 
-/// How many textures a text binds.
-pub(crate) fn texture_variables(text: &str) -> usize {
-    let variables = items(text).into_iter().filter(|item| item.keyword == "var");
-    variables.filter(|item| item.words.iter().any(|word| word.starts_with("texture_"))).count()
+/// How many textures a text binds: those that are sampled, and storage textures.
+pub(crate) fn texture_variables(text: &str) -> [usize; 2] {
+    let variables: Vec<Item> = items(text).into_iter().filter(|item| item.keyword == "var").collect();
+    let of = |start: &str| {
+        let with = |item: &&Item| item.words.iter().any(|word| word.starts_with(start));
+        variables.iter().filter(with).count()
+    };
+    let storage = of("texture_storage_");
+    [of("texture_") - storage, storage]
 }
 
 /// A declaration ends with the `;` or the closing brace at depth 0.

@@ -173,8 +173,9 @@ pub struct SamplerInfo {
 
 /// The displaced surface: functions of the core, and the textures that they read.
 ///
-/// `terrane_relief` places it under a pixel, `terrane_displace` traces the eye's ray, `terrane_relief_shadow` and
-/// `terrane_relief_occlusion` are there if the terrain asks for them. The last arguments of the three are the textures, in order.
+/// `terrane_relief` places it under a pixel. `terrane_displace` traces the eye's ray; `terrane_relief_shadow` and
+/// `terrane_relief_occlusion` are there if the terrain asks for them. The last arguments of these three are all textures of all
+/// arrays, in order.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct ReliefInfo {
     /// How rays are traced: the method, as `terrane measure` names it.

@@ -208,11 +208,15 @@ impl Placed {
 /// # Errors
 /// Those of [`Unplaceable`].
 pub fn planes(heights: &Heights, textures: &[MapTexture]) -> Result<Vec<Plane>, Unplaceable> {
-    let bounds: BTreeSet<Bounds> = textures.iter().map(|texture| texture.placed_with()).collect();
+    // Heights come with any bounds but patches.
+    let other = |texture: &&MapTexture| !matches!(texture.placed_with(), Bounds::None | Bounds::Patches);
+    let beside = textures.iter().find(other).map_or(Bounds::None, |texture| texture.placed_with());
+    let with = |texture: MapTexture| if texture == MapTexture::Heights { beside } else { texture.placed_with() };
+    let all: BTreeSet<Bounds> = textures.iter().map(|texture| with(*texture)).collect();
     // The limit is one of the fields.
-    let placed = bounds.into_iter().map(|bounds| Ok((bounds, Placed::new(heights, bounds, 0)?)));
+    let placed = all.into_iter().map(|bounds| Ok((bounds, Placed::new(heights, bounds, 0)?)));
     let placed: BTreeMap<Bounds, Placed> = placed.collect::<Result<_, _>>()?;
-    Ok(textures.iter().map(|texture| placed[&texture.placed_with()].plane(*texture).clone()).collect())
+    Ok(textures.iter().map(|texture| placed[&with(*texture)].plane(*texture).clone()).collect())
 }
 
 fn texels_of(mips: Vec<Mip>) -> Plane {

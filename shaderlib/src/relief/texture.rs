@@ -9,7 +9,7 @@ pub enum MapTexture {
     Heights,
     /// The heights of all mips, the four of a cell in one texel.
     Patches,
-    /// What is known of them besides; never [`Bounds::None`].
+    /// What is known of them besides. Of [`Bounds::None`] there is one texel, for who binds something all the same.
     Bounds(Bounds),
 }
 

@@ -37,9 +37,9 @@ fn climb_start(frame: WalkFrame) -> ClimbState {
     return ClimbState(ClimbNode(vec2f(1.0), 1.0, 0i), 0.0, max(min(reach.x, reach.y), 0.0), 0.0, 0u, true);
 }
 
-/// The cell in which it stands, in the frame.
-fn climb_cell(frame: WalkFrame, state: ClimbState) -> vec2i {
-    return frame.base + vec2i(state.node.sides) - 1i;
+/// The last cell of a node, in the frame: of a node of one cell, that cell.
+fn climb_cell(frame: WalkFrame, node: ClimbNode) -> vec2i {
+    return frame.base + vec2i(node.sides) - 1i;
 }
 
 /// Leaves the node, and walks until it stands in one where something may be in the way, is past the end, or has seen too many.
@@ -53,8 +53,7 @@ fn climb_on(bounds: texture_2d_array<u32>, field: ReliefField, frame: WalkFrame,
     // One way out, at the top: see `robust_cone`.
     while !state.stands && state.t < frame.end && state.steps < field.limit {
         let node = state.node;
-        let cell = (frame.base + vec2i(node.sides) - 1i) ^ frame.mirror;
-        state.bound = relief_bound(bounds, field, cell, node.level);
+        state.bound = relief_bound(bounds, field, climb_cell(frame, node) ^ frame.mirror, node.level);
         let reach = node.sides * frame.inverse + frame.before;
         state.leave = max(min(reach.x, reach.y), state.t);
         state.steps++;

@@ -14,7 +14,7 @@ struct HorizonFound {
     done: bool,
     /// Nodes visited.
     steps: u32,
-    /// Patches looked at.
+    /// Patches loaded: not the one that the ray starts over, which is given.
     leaves: u32,
 }
 
@@ -55,7 +55,7 @@ fn horizon_search(
         state = climb_on(bounds, field, frame, state, coarse);
         if state.stands && state.node.level == 0i {
             leaves++;
-            corners = relief_corners(heights, field, climb_cell(frame, state), frame.mirror);
+            corners = relief_corners(heights, field, climb_cell(frame, state.node), frame.mirror);
         }
     }
     let done = state.t >= frame.end || horizon >= enough;

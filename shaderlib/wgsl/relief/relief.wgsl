@@ -49,7 +49,7 @@ struct ReliefHit {
     cell: vec2i,
     /// Nodes visited, or samples taken.
     steps: u32,
-    /// Patches intersected.
+    /// Patches loaded and intersected.
     leaves: u32,
 }
 

@@ -9,7 +9,7 @@ struct ShadowSeen {
     state: u32,
     /// Nodes or samples read.
     steps: u32,
-    /// Patches looked at.
+    /// Patches loaded: not the one that the ray starts over, which is given.
     leaves: u32,
 }
 

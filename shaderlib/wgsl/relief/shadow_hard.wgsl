@@ -24,13 +24,12 @@ fn shadow_hard_trace(
         let place = vec3f(at.xy - (sides - 1.0), at.z);
         let t = state.t + relief_patch(corners, place, frame.direction, state.leave - state.t);
         if t <= frame.end {
-            let cell = frame.base + vec2i(sides) - 1i;
-            return ReliefHit(t, RELIEF_HIT, cell ^ frame.mirror, state.steps, leaves);
+            return ReliefHit(t, RELIEF_HIT, climb_cell(frame, state.node) ^ frame.mirror, state.steps, leaves);
         }
         state = climb_on(bounds, field, frame, state, 0.0);
         if state.stands {
             leaves++;
-            corners = relief_corners(heights, field, climb_cell(frame, state), frame.mirror);
+            corners = relief_corners(heights, field, climb_cell(frame, state.node), frame.mirror);
         }
     }
     let outcome = select(RELIEF_UNRESOLVED, RELIEF_MISS, state.t >= frame.end);

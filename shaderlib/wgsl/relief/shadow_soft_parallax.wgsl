@@ -4,7 +4,8 @@
 
 /// The published solution: seven heights, the nearer ones counting more. `light` is the way over the ground in texels, the
 /// sample's light vector times its height map's range, on which the ray is taken to rise by the whole height `lid`, whatever the
-/// light's elevation. `softening` is the sample's, 0.58 where nothing is said.
+/// light's elevation. `softening` is the sample's, 0.58 where nothing is said. Of what is blocked three fifths count, as there;
+/// what stands free of every height is brighter than 1 there, and 1 here.
 fn shadow_soft_parallax_published(
     heights: texture_2d_array<u32>,
     field: ReliefField,
@@ -14,15 +15,15 @@ fn shadow_soft_parallax_published(
     softening: f32,
     lid: f32,
 ) -> ShadowSeen {
-    let own = relief_mip_height(heights, field, cell, place, 0.0) / lid;
+    let start = relief_mip_height(heights, field, cell, place, 0.0) / lid;
     var blocked = 0.0;
     for (var tap = 0u; tap < 7u; tap++) {
         let part = 0.22 + 0.11 * f32(tap);
         let weight = max(12.0 - 2.0 * f32(tap), 1.0);
         let height = relief_mip_height(heights, field, cell, place + part * light, 0.0) / lid;
-        blocked = max(blocked, (height - own - part) * weight * softening);
+        blocked = max(blocked, (height - start - part) * weight * softening);
     }
-    return ShadowSeen(1.0 - saturate(blocked), RELIEF_HIT, 8u, 0u);
+    return ShadowSeen(saturate(1.0 - 0.6 * blocked), RELIEF_HIT, 8u, 0u);
 }
 
 /// The share of a light whose radius has this tangent, by weights that are those of a disc. The ray starts above the ground, leads to the light's middle and ends

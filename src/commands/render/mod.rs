@@ -21,6 +21,7 @@ use super::{Failure, project};
   terrane render graphs/scenes/alpine.ron -o alpine.png
   terrane render graphs/scenes/alpine.ron -o small.png --size 320x180 --samples 1
   terrane render graphs/surfaces/granite.ron -o granite.png --extent 12
+  terrane render graphs/surfaces/slabs.ron -o slabs.png --relief \"linear_secant(16)\"
   terrane render graphs/scenes/yard.ron -o yard.png --search --relief \"linear_secant(32)\"
   terrane render --adapters
 
@@ -43,7 +44,7 @@ pub(crate) struct Render {
     /// Metres on a side of the plane that shows a surface
     #[arg(long, value_name = "METRES", default_value_t = 8.0)]
     extent: f64,
-    /// Trace relief by this method, named as `terrane measure` names it, instead of the terrain's own
+    /// Trace relief by this method, named as `terrane measure` names it, instead of the terrain's own or a surface's exact one
     #[arg(long, value_name = "METHOD", value_parser = super::measure::method)]
     relief: Option<Method>,
     /// Show beside the picture of a scene what the search for relief read, and how far it is from the exact one

@@ -7,7 +7,7 @@ use terrane_shaderlib::relief::{MapTexture, Plane};
 
 use super::{Filter, Material, Relief, Sampling, TextureArray, Wrap, decode, mip_chain, texture_format};
 use crate::relief::map;
-use crate::relief::texture::textures;
+use crate::relief::texture::{binding, textures};
 use crate::render::error::Result;
 use crate::render::gpu::Gpu;
 use crate::render::progress::{Phase, Progress};
@@ -35,7 +35,7 @@ impl MaterialGroup {
 
 /// A texture over height maps, and where it is bound.
 struct MapView {
-    binding: u32,
+    at: u32,
     texture: MapTexture,
     view: wgpu::TextureView,
 }
@@ -48,9 +48,9 @@ fn upload_relief(gpu: &Gpu, relief: &Relief, phase: &Phase) -> Result<Vec<MapVie
         planes
     };
     let maps: Vec<Vec<Plane>> = relief.maps.par_iter().map(read).collect::<Result<_>>()?;
-    let view = |(index, (binding, texture)): (usize, &(u32, MapTexture))| {
+    let view = |(index, (at, texture)): (usize, &(u32, MapTexture))| {
         let planes: Vec<&Plane> = maps.iter().map(|planes| &planes[index]).collect();
-        MapView { binding: *binding, texture: *texture, view: textures(gpu, &planes) }
+        MapView { at: *at, texture: *texture, view: textures(gpu, &planes) }
     };
     gpu.checked("height maps", || relief.textures.iter().enumerate().map(view).collect())
 }
@@ -128,8 +128,8 @@ fn bind(gpu: &Gpu, material: &Material, arrays: &[wgpu::TextureView], reliefs: &
         let ty = texture_array(wgpu::TextureSampleType::Float { filterable: true });
         add(array.binding, ty, wgpu::BindingResource::TextureView(view));
     }
-    for MapView { binding, texture, view } in reliefs.iter().flatten() {
-        add(*binding, map_binding(*texture), wgpu::BindingResource::TextureView(view));
+    for MapView { at, texture, view } in reliefs.iter().flatten() {
+        add(*at, binding(*texture), wgpu::BindingResource::TextureView(view));
     }
     for (sampling, sampler) in material.samplers.iter().zip(&samplers) {
         let ty = wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering);
@@ -149,16 +149,6 @@ fn bind(gpu: &Gpu, material: &Material, arrays: &[wgpu::TextureView], reliefs: &
 fn texture_array(sample_type: wgpu::TextureSampleType) -> wgpu::BindingType {
     let view_dimension = wgpu::TextureViewDimension::D2Array;
     wgpu::BindingType::Texture { sample_type, view_dimension, multisampled: false }
-}
-
-fn map_binding(texture: MapTexture) -> wgpu::BindingType {
-    if !texture.is_storage() {
-        return texture_array(wgpu::TextureSampleType::Uint);
-    }
-    let format =
-        if texture == MapTexture::Patches { wgpu::TextureFormat::Rg32Uint } else { wgpu::TextureFormat::R32Uint };
-    let (access, view_dimension) = (wgpu::StorageTextureAccess::ReadOnly, wgpu::TextureViewDimension::D2Array);
-    wgpu::BindingType::StorageTexture { access, format, view_dimension }
 }
 
 fn uniform(gpu: &Gpu, bytes: &[u8]) -> wgpu::Buffer {

@@ -1,58 +1,58 @@
 //! A method that a terrain names: the ground is where it finds it, and its light is what it is with any other.
 
-use terrane::render::{Camera, Gpu};
+use terrane::render::Gpu;
+use terrane_shaderlib::heightfield::{Border, Heights, Texels};
 use terrane_shaderlib::relief::Method;
 
 use super::device;
-use super::plain::{MIDDLE, Plain, SHAPE, Shape, rough};
-
-/// From over the finest mips to the fourth, some of them between two.
-const CAMERA: Camera =
-    Camera { eye: [MIDDLE.x, 3.2, MIDDLE.z], target: [MIDDLE.x + 0.3, 0.0, MIDDLE.z - 5.5], fov: 52.0 };
+use super::plain::{Plain, SHAPE, SLOPING, Shape, other, rough, rough_over};
 
 fn named(method: Method) -> Shape {
     Shape { method: Some(method), ..SHAPE }
 }
 
-/// What a terrain draws that names a method.
-fn drawn(gpu: &Gpu, method: Method) -> Vec<u8> {
-    Plain::new(&rough(64), named(method)).render(gpu, CAMERA).image.pixels
+/// What a terrain draws that names a method, over maps that have the same share of it.
+fn drawn(gpu: &Gpu, method: Method, maps: &[&Heights]) -> Vec<u8> {
+    let plain = Plain::layered(maps, named(method));
+    plain.unwrap_or_else(|findings| panic!("{findings}")).render(gpu, SLOPING).image.pixels
 }
 
-/// The same over maps of two sizes.
-fn drawn_over_two(gpu: &Gpu, method: Method) -> Vec<u8> {
-    let plain = Plain::layered(&[&rough(64), &rough(32)], named(method));
-    plain.unwrap_or_else(|findings| panic!("{findings}")).render(gpu, CAMERA).image.pixels
+/// A method has to draw the walk's picture: but for hits on the other side of an edge, which are lit otherwise.
+#[track_caller]
+fn expect_walk(gpu: &Gpu, methods: &[Method], maps: &[&Heights]) {
+    let walk = drawn(gpu, Method::Walk, maps);
+    for method in methods {
+        let part = other(&drawn(gpu, *method, maps), &walk, 2);
+        assert!(part < 0.002, "{method}: {part} of the picture is another");
+    }
 }
 
-/// The part of a picture's bytes that differ by more than two of 255.
-fn other(a: &[u8], b: &[u8]) -> f64 {
-    assert_eq!(a.len(), b.len());
-    a.iter().zip(b).filter(|(a, b)| a.abs_diff(**b) > 2).count() as f64 / a.len() as f64
-}
+/// One for each kind of textures.
+const KINDS: [Method; 3] = [Method::Sprint, Method::Wide, Method::Stride];
 
 #[test]
 fn every_exact_method_draws_the_same_picture() {
     let Some(gpu) = device() else { return };
-    let walk = drawn(&gpu, Method::Walk);
     let methods: Vec<Method> = Method::all().into_iter().filter(|method| method.is_exact()).collect();
     assert_eq!(methods.len(), 8, "{methods:?}");
-    for method in methods {
-        // A hit on the other side of an edge is lit otherwise.
-        let part = other(&drawn(&gpu, method), &walk);
-        assert!(part < 0.002, "{method}: {part} of the picture is another");
-    }
+    expect_walk(&gpu, &methods, &[&rough(64)]);
 }
 
 #[test]
 fn so_it_is_over_maps_of_two_sizes() {
     let Some(gpu) = device() else { return };
-    let walk = drawn_over_two(&gpu, Method::Walk);
-    let seen = other(&walk, &drawn(&gpu, Method::Walk));
+    let (large, small) = (rough(64), rough(32));
+    let [one, two] = [&[&large][..], &[&large, &small]].map(|maps| drawn(&gpu, Method::Walk, maps));
+    let seen = other(&one, &two, 2);
     assert!(seen > 0.1, "the second map changes {seen} of the picture");
-    for method in [Method::Sprint, Method::Wide, Method::Stride] {
-        let part = other(&drawn_over_two(&gpu, method), &walk);
-        assert!(part < 0.002, "{method}: {part} of the picture is another");
+    expect_walk(&gpu, &KINDS, &[&large, &small]);
+}
+
+#[test]
+fn so_it_is_over_maps_of_few_texels_and_of_unequal_sides() {
+    let Some(gpu) = device() else { return };
+    for size in [[1, 1], [2, 2], [2, 8], [64, 16]] {
+        expect_walk(&gpu, &KINDS, &[&rough_over(size)]);
     }
 }
 
@@ -69,9 +69,11 @@ fn more_storage_textures_than_a_stage_has_are_refused() {
 #[test]
 fn every_method_can_be_drawn() {
     let Some(gpu) = device() else { return };
+    let level = Heights::new([64; 2], Border::Wrap, Texels::U16(vec![u16::MAX; 4096])).expect("a map");
+    let even = drawn(&gpu, Method::Walk, &[&level]);
     for method in Method::all().into_iter().filter(|method| !method.is_exact()) {
-        let picture = drawn(&gpu, method);
-        assert!(picture.iter().any(|byte| *byte != picture[0]), "{method}: an even picture");
+        let part = other(&drawn(&gpu, method, &[&rough(64)]), &even, 2);
+        assert!(part > 0.3, "{method}: only {part} of the picture shows relief");
     }
 }
 
@@ -79,6 +81,7 @@ fn every_method_can_be_drawn() {
 fn light_is_not_what_a_method_makes_of_it() {
     let Some(gpu) = device() else { return };
     // With so many steps it finds what is exact nearly everywhere, and it has no bounds of its own.
-    let part = other(&drawn(&gpu, Method::Linear(2048, 0)), &drawn(&gpu, Method::Walk));
+    let [many, exact] = [Method::Linear(2048, 0), Method::Walk].map(|method| drawn(&gpu, method, &[&rough(64)]));
+    let part = other(&many, &exact, 2);
     assert!(part < 0.01, "{part} of the picture is another");
 }

@@ -142,7 +142,8 @@ fn published_parallax(place: &Place<'_>, [x, y]: [f64; 2], lid: f64) -> f64 {
     let at = |part: f64| place.heights.surface(x + part * reach * towards[0], y + part * reach * towards[1]) / lid;
     let taps = [(0.88, 1.0), (0.77, 2.0), (0.66, 4.0), (0.55, 6.0), (0.44, 8.0), (0.33, 10.0), (0.22, 12.0)];
     let blocked = taps.map(|(part, weight)| (at(part) - at(0.0) - part) * weight * 0.58);
-    1.0 - blocked.into_iter().fold(0.0, f64::max).min(1.0)
+    let free = 1.0 - blocked.into_iter().fold(f64::MIN, f64::max);
+    (free * 0.6 + 0.4).clamp(0.0, 1.0)
 }
 
 #[test]

@@ -44,15 +44,20 @@ pub(super) struct Shape {
 
 /// A map that is as rough at every scale: blocks of 1 to 16 texels, each kind with a fifth of the height.
 pub(super) fn rough(side: u32) -> Heights {
+    rough_over([side; 2])
+}
+
+/// The same over sides that differ.
+pub(super) fn rough_over([width, height]: [u32; 2]) -> Heights {
     let mut random = Random::new(5);
     let blocks = [1, 2, 4, 8, 16];
-    let drawn = blocks.map(|_| (0..side * side).map(|_| random.between(0, 13_107) as u16).collect::<Vec<_>>());
-    let height = |x: u32, y: u32| {
+    let drawn = blocks.map(|_| (0..width * height).map(|_| random.between(0, 13_107) as u16).collect::<Vec<_>>());
+    let sum = |x: u32, y: u32| {
         let layers = blocks.iter().zip(&drawn);
-        layers.map(|(block, drawn)| drawn[(y / block * side + x / block) as usize]).sum()
+        layers.map(|(block, drawn)| drawn[(y / block * width + x / block) as usize]).sum()
     };
-    let texels = (0..side * side).map(|at| height(at % side, at / side)).collect();
-    Heights::new([side; 2], Border::Wrap, Texels::U16(texels)).expect("a map")
+    let texels = (0..width * height).map(|at| sum(at % width, at / width)).collect();
+    Heights::new([width, height], Border::Wrap, Texels::U16(texels)).expect("a map")
 }
 
 /// Pixels across and down.
@@ -60,6 +65,16 @@ pub(super) const IMAGE: [u32; 2] = [64, 128];
 
 /// Deep stones, 32 texels to a metre where the map has 64.
 pub(super) const SHAPE: Shape = Shape { tile: 2.0, depth: 0.25, fade: (20.0, 36.0), method: None, normal: None };
+
+/// The part of the bytes of two pictures that differ by more than this.
+pub(super) fn other(a: &[u8], b: &[u8], than: u8) -> f64 {
+    assert_eq!(a.len(), b.len());
+    a.iter().zip(b).filter(|(a, b)| a.abs_diff(**b) > than).count() as f64 / a.len() as f64
+}
+
+/// From over the finest mips of [`rough`] to the fourth at the upper border, some of them between two.
+pub(super) const SLOPING: Camera =
+    Camera { eye: [MIDDLE.x, 3.2, MIDDLE.z], target: [MIDDLE.x + 0.3, 0.0, MIDDLE.z - 5.5], fov: 52.0 };
 
 /// What a pixel looks at.
 pub(super) struct Sight {

@@ -5,7 +5,7 @@ use terrane::render::{Camera, Gpu, NEAR, View};
 use terrane_shaderlib::heightfield::{Border, Heights, Ray, Texels, first_hit};
 
 use super::device;
-use super::plain::{IMAGE, MIDDLE, Plain, SHAPE, Shape, Sight, rough, sights};
+use super::plain::{IMAGE, MIDDLE, Plain, SHAPE, SLOPING, Shape, Sight, rough, sights};
 
 /// Texels of the map that rounding may take at 99 of 100 pixels.
 const CLOSE: f64 = 0.01;
@@ -21,10 +21,6 @@ const WHOLE: Shape = Shape { fade: (500.0, 600.0), ..SHAPE };
 /// Low over the ground, every texel wider than a pixel.
 const GRAZING: Camera =
     Camera { eye: [MIDDLE.x, 1.0, MIDDLE.z], target: [MIDDLE.x + 1.3, 0.0, MIDDLE.z + 4.5], fov: 14.0 };
-
-/// The finest mips before the eye's feet, the fourth at the upper border.
-const SLOPING: Camera =
-    Camera { eye: [MIDDLE.x, 3.2, MIDDLE.z], target: [MIDDLE.x + 0.3, 0.0, MIDDLE.z - 5.5], fov: 52.0 };
 
 /// The map and its mips, each the mean of four texels of the one before.
 fn mips(map: Heights) -> Vec<Heights> {

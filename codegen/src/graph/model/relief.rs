@@ -80,7 +80,7 @@ impl ReliefTrace {
     pub const ALONE: Self = Self {
         method: ReliefMethod::Auto { max_error: 0.5 },
         weights: ReliefWeights::Entry,
-        fade: (1e4, 2e4),
+        fade: (1e6, 2e6),
         shadow: ReliefShadow::Cone,
         occlusion: 4,
     };

@@ -38,9 +38,9 @@ fn light_leaks_through_a_wall_between_the_samples_of_parallax_shadows() {
 }
 
 #[test]
-fn published_parallax_shadows_take_every_sun_to_stand_at_45_degrees() {
+fn published_parallax_shadows_end_as_near_under_a_low_sun_as_under_a_high_one() {
     let Some(gpu) = device() else { return };
-    // The relief is 3.2 texels deep: what stands farther away is not looked at, though the sun is low.
+    // The relief is 3.2 texels deep, and the ray is taken to have left it after as many, though at 8° it has not after 22.
     assert_eq!(beside(&gpu, &wall(24, 60000), 8.0, Lighting::ParallaxPublished), (1.0, 0.0));
     assert!(beside(&gpu, &wall(21, 60000), 8.0, Lighting::ParallaxPublished).0 < 0.1);
 }
