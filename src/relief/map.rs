@@ -23,7 +23,7 @@ pub fn bytes(plane: &Plane) -> Vec<u8> {
         Words::R16(mips) => mips.iter().flatten().flat_map(|texel| texel.to_le_bytes()).collect(),
         Words::Rg16(mips) => mips.iter().flatten().flatten().flat_map(|part| part.to_le_bytes()).collect(),
         Words::R32(words) => words.iter().flat_map(|word| word.to_le_bytes()).collect(),
-        Words::Rg32(words) => words.iter().flatten().flat_map(|word| word.to_le_bytes()).collect(),
+        Words::Rg32(mips) => mips.iter().flatten().flatten().flat_map(|word| word.to_le_bytes()).collect(),
         Words::Rgba32(words) => words.iter().flatten().flat_map(|word| word.to_le_bytes()).collect(),
     }
 }

@@ -19,8 +19,10 @@ pub(crate) fn textures(gpu: &Gpu, planes: &[&Plane]) -> wgpu::TextureView {
         Words::Rgba32(_) => wgpu::TextureFormat::Rgba32Uint,
     };
     let usage = match &first.words {
+        Words::R32(_) => wgpu::TextureUsages::STORAGE_BINDING,
+        // Patches are stored, cones of quadrants are sampled.
+        Words::Rg32(_) => wgpu::TextureUsages::STORAGE_BINDING | wgpu::TextureUsages::TEXTURE_BINDING,
         Words::R16(_) | Words::Rg16(_) | Words::Rgba32(_) => wgpu::TextureUsages::TEXTURE_BINDING,
-        Words::R32(_) | Words::Rg32(_) => wgpu::TextureUsages::STORAGE_BINDING,
     };
     let [width, height] = first.size;
     let texture = gpu.device.create_texture(&wgpu::TextureDescriptor {
@@ -58,7 +60,7 @@ fn mips(plane: &Plane) -> Vec<&[u8]> {
         Words::R16(mips) => mips.iter().map(|mip| bytemuck::cast_slice(mip)).collect(),
         Words::Rg16(mips) => mips.iter().map(|mip| bytemuck::cast_slice(mip)).collect(),
         Words::R32(words) => vec![bytemuck::cast_slice(words)],
-        Words::Rg32(words) => vec![bytemuck::cast_slice(words)],
+        Words::Rg32(mips) => mips.iter().map(|mip| bytemuck::cast_slice(mip)).collect(),
         Words::Rgba32(words) => vec![bytemuck::cast_slice(words)],
     }
 }

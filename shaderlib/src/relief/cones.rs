@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::placed::{Plane, Words};
+use super::plane::{Plane, Words};
 use crate::heightfield::cones::{ConeMap, Cones};
 use crate::heightfield::{Border, Heights, Texels};
 
@@ -46,11 +46,38 @@ fn image(
     image
 }
 
+/// The cones of the four quadrants in one texel. A word for each way along y holds two slopes of twelve bits, toward larger x and
+/// toward smaller, and above them the low or the high half of the tip's height.
+pub(super) fn quadrants<'a>(
+    heights: &Heights,
+    mips: impl Iterator<Item = ([u32; 2], &'a [u16])> + Clone,
+    progress: &(dyn Fn(u64, u64) + Sync),
+) -> Plane {
+    let of = |number: u8| match plane(heights, mips.clone(), Cones::Quadrant(number), progress).words {
+        Words::Rg16(images) => images,
+        _ => unreachable!("a tip and a code"),
+    };
+    let [a, b, c, d] = [0, 1, 2, 3].map(of);
+    let joined = a.iter().zip(&b).zip(c.iter().zip(&d)).map(|((a, b), (c, d))| {
+        let texels = a.iter().zip(b).zip(c.iter().zip(d));
+        texels.map(|((a, b), (c, d))| packed(a[0], [a[1], b[1], c[1], d[1]])).collect()
+    });
+    let size = mips.clone().next().map_or([1, 1], |(size, _)| size);
+    Plane { size, words: Words::Rg32(joined.collect()) }
+}
+
+/// A texel of four codes, rounded up to twelve bits.
+fn packed(tip: u16, codes: [u16; 4]) -> [u32; 2] {
+    let [a, b, c, d] = codes.map(|code| ((u32::from(code) + 15) >> 4).min(0xfff));
+    let tip = u32::from(tip);
+    [a | b << 12 | (tip & 0xff) << 24, c | d << 12 | (tip >> 8) << 24]
+}
+
 /// How high the tip of a cone is: at most 65535, as the heights are.
 fn tip(heights: &Heights, cones: Cones, x: u32, y: u32) -> u16 {
     match cones {
         Cones::Step | Cones::Relaxed => heights.height(x.into(), y.into()) as u16,
-        Cones::Robust => {
+        Cones::Robust | Cones::Quadrant(_) => {
             let [columns, rows] = heights.cells();
             let corners = heights.corners(x.min(columns - 1).into(), y.min(rows - 1).into());
             corners.into_iter().fold(0.0, f64::max) as u16

@@ -61,6 +61,7 @@ const FAMILIES: &[Family] = &[
     single("quadtree_relief_exact", &[Method::QuadtreeReliefExact]),
     single("robust_cone", &[Method::RobustCone]),
     single("stride", &[Method::Stride]),
+    single("stride_quadrants", &[Method::StrideQuadrants]),
     Family {
         name: "cone_step",
         budget: "STEPS",

@@ -36,6 +36,8 @@ pub enum Method {
     RobustCone,
     /// `shaderlib/wgsl/relief/stride.wgsl`: the same in one loop, for GPUs.
     Stride,
+    /// `shaderlib/wgsl/relief/stride_quadrants.wgsl`: that over cones of a quadrant.
+    StrideQuadrants,
     /// `shaderlib/wgsl/relief/cone_step.wgsl`: steps, or 0 to go on until the ray is in the ground.
     ConeStep(u32),
     /// `shaderlib/wgsl/relief/relaxed_cone.wgsl`: steps, and halvings after them.
@@ -50,7 +52,8 @@ impl Method {
     /// Whether it finds the first hit of every ray.
     #[must_use]
     pub fn is_exact(self) -> bool {
-        let exact = [Bounds::CellMax, Bounds::Patches, Bounds::Wide, Bounds::Cones(Cones::Robust)];
+        let cones = [Bounds::Cones(Cones::Robust), Bounds::Quadrants];
+        let exact = [[Bounds::CellMax, Bounds::Patches].as_slice(), &[Bounds::Wide], &cones].concat();
         exact.contains(&self.bounds())
     }
 
@@ -68,6 +71,7 @@ impl Method {
             Self::QuadtreeDisplacement(_) | Self::QuadtreeRelief(_) => Bounds::TexelMax,
             Self::Linear(..) | Self::ParallaxOffset(_) => Bounds::None,
             Self::RobustCone | Self::Stride => Bounds::Cones(Cones::Robust),
+            Self::StrideQuadrants => Bounds::Quadrants,
             Self::ConeStep(_) => Bounds::Cones(Cones::Step),
             Self::RelaxedCone(..) => Bounds::Cones(Cones::Relaxed),
         }
@@ -88,6 +92,7 @@ impl Method {
             Self::ShadowWide => leaving("shadow_wide_trace"),
             Self::RobustCone => exact("robust_cone_trace"),
             Self::Stride => exact("stride_trace"),
+            Self::StrideQuadrants => exact("stride_quadrants_trace"),
             Self::ConeStep(steps) => format!("cone_step_trace({heights}, {bounds}, {field}, {ray}, {steps}u)"),
             Self::RelaxedCone(steps, halvings) => {
                 format!("relaxed_cone_trace({heights}, {bounds}, {field}, {ray}, {steps}u, {halvings}u)")
@@ -117,6 +122,7 @@ impl fmt::Display for Method {
             Self::ShadowWide => to.write_str("shadow_wide"),
             Self::RobustCone => to.write_str("robust_cone"),
             Self::Stride => to.write_str("stride"),
+            Self::StrideQuadrants => to.write_str("stride_quadrants"),
             Self::ConeStep(0) => to.write_str("cone_step"),
             Self::ConeStep(steps) => write!(to, "cone_step({steps})"),
             Self::RelaxedCone(steps, halvings) => write!(to, "relaxed_cone({steps}, {halvings})"),

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
 use super::dirty::Extent;
-use super::{Field, MapTexture, atlas, cones, mips, patches, strip, update};
+use super::{Field, MapTexture, Plane, Words, atlas, cones, mips, patches, strip, update};
 use crate::heightfield::cones::Cones;
 use crate::heightfield::pyramid::{Bound, CHILDREN, Levels, Pyramid, Wide};
 use crate::heightfield::{Border, Heights, Texels};
@@ -21,78 +21,12 @@ pub enum Bounds {
     TexelMax,
     /// A cone over each texel or cell, beside the height of its tip.
     Cones(Cones),
-    /// The same in 32-bit words, and the heights as patches: four to a texel.
+    /// The four cones of [`Cones::Quadrant`] over each cell, beside the height of their tip.
+    Quadrants,
+    /// The same as `CellMax` in 32-bit words, and the heights as patches: four to a texel.
     Patches,
     /// Sixteen children to a node.
     Wide,
-}
-
-/// Texels of an image.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Words {
-    /// `r16uint`, mip by mip.
-    R16(Vec<Vec<u16>>),
-    /// `rg16uint`, mip by mip.
-    Rg16(Vec<Vec<[u16; 2]>>),
-    /// `r32uint`, for a storage texture.
-    R32(Vec<u32>),
-    /// `rg32uint`, for a storage texture.
-    Rg32(Vec<[u32; 2]>),
-    /// `rgba32uint`.
-    Rgba32(Vec<[u32; 4]>),
-}
-
-/// An image for a shader's `texture_2d_array<u32>`.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Plane {
-    /// Columns and rows of the first mip.
-    pub size: [u32; 2],
-    /// Its texels.
-    pub words: Words,
-}
-
-impl Plane {
-    /// Bytes of all its mips.
-    #[must_use]
-    pub fn bytes(&self) -> usize {
-        match &self.words {
-            Words::R16(mips) => mips.iter().map(|mip| size_of_val(&mip[..])).sum(),
-            Words::Rg16(mips) => mips.iter().map(|mip| size_of_val(&mip[..])).sum(),
-            Words::R32(words) => size_of_val(&words[..]),
-            Words::Rg32(words) => size_of_val(&words[..]),
-            Words::Rgba32(words) => size_of_val(&words[..]),
-        }
-    }
-}
-
-impl Plane {
-    /// How many mips it has.
-    #[must_use]
-    pub fn mips(&self) -> usize {
-        match &self.words {
-            Words::R16(mips) => mips.len(),
-            Words::Rg16(mips) => mips.len(),
-            Words::R32(_) | Words::Rg32(_) | Words::Rgba32(_) => 1,
-        }
-    }
-
-    /// What a shader loads: 0 for channels that the texels lack, but 1 for the last; `None` beyond the border or the last mip.
-    #[must_use]
-    pub fn texel(&self, mip: usize, [x, y]: [u32; 2]) -> Option<[u32; 4]> {
-        let [width, height] = self.size.map(|side| (side >> mip).max(1));
-        let at = (x < width && y < height).then_some((y * width + x) as usize)?;
-        Some(match &self.words {
-            Words::R16(mips) => [u32::from(mips.get(mip)?[at]), 0, 0, 1],
-            Words::Rg16(mips) => {
-                let [red, green] = mips.get(mip)?[at].map(u32::from);
-                [red, green, 0, 1]
-            }
-            // These have one mip.
-            Words::R32(words) => [words[at], 0, 0, 1],
-            Words::Rg32(words) => [words[at][0], words[at][1], 0, 1],
-            Words::Rgba32(words) => words[at],
-        })
-    }
 }
 
 /// What a device needs of a map.
@@ -187,6 +121,9 @@ impl Placed {
                 quadtrees(&mips, Bound::CellMax, words)
             }
             Bounds::Wide => wide(&mips, &mut fields),
+            Bounds::Quadrants => {
+                cones::quadrants(heights, mips.iter().map(|mip| (mip.size, &mip.texels[..])), progress)
+            }
             Bounds::Cones(cones) => {
                 cones::plane(heights, mips.iter().map(|mip| (mip.size, &mip.texels[..])), cones, progress)
             }
@@ -230,7 +167,7 @@ fn all_patches(mips: &[Mip]) -> Plane {
     for (index, mip) in mips.iter().enumerate() {
         patches::write(&mut image, size[0], patches::corner(mips[0].size, index as u32), &mip.texels, mip.size);
     }
-    Plane { size, words: Words::Rg32(image) }
+    Plane { size, words: Words::Rg32(vec![image]) }
 }
 
 /// The map and its mips; one that ends at its border has none.

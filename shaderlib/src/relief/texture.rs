@@ -28,6 +28,7 @@ impl MapTexture {
             Self::Bounds(Bounds::Patches) => "patch_bounds",
             Self::Bounds(Bounds::Wide) => "wide_bounds",
             Self::Bounds(Bounds::Cones(_)) => "cones",
+            Self::Bounds(Bounds::Quadrants) => "quadrant_cones",
         }
     }
 
@@ -36,7 +37,7 @@ impl MapTexture {
     pub fn format(self) -> &'static str {
         match self {
             Self::Heights | Self::Bounds(Bounds::None | Bounds::CellMax | Bounds::TexelMax) => "r16uint",
-            Self::Patches => "rg32uint",
+            Self::Patches | Self::Bounds(Bounds::Quadrants) => "rg32uint",
             Self::Bounds(Bounds::Patches) => "r32uint",
             Self::Bounds(Bounds::Wide) => "rgba32uint",
             Self::Bounds(Bounds::Cones(_)) => "rg16uint",
@@ -64,7 +65,7 @@ impl MapTexture {
     #[must_use]
     pub fn size(self, map: [u32; 2]) -> [u32; 2] {
         match self {
-            Self::Heights | Self::Bounds(Bounds::Cones(_)) => map,
+            Self::Heights | Self::Bounds(Bounds::Cones(_) | Bounds::Quadrants) => map,
             Self::Patches => patches::size(map, levels(map) > 1),
             Self::Bounds(Bounds::None) => [1, 1],
             Self::Bounds(Bounds::CellMax | Bounds::TexelMax | Bounds::Patches) => atlas::size(map),
@@ -76,7 +77,7 @@ impl MapTexture {
     #[must_use]
     pub fn mips(self, map: [u32; 2]) -> u32 {
         match self {
-            Self::Heights | Self::Bounds(Bounds::Cones(_)) => levels(map),
+            Self::Heights | Self::Bounds(Bounds::Cones(_) | Bounds::Quadrants) => levels(map),
             _ => 1,
         }
     }
@@ -113,7 +114,7 @@ mod tests {
     use crate::heightfield::{Border, Heights, Texels};
     use crate::relief::{Words, planes};
 
-    const ALL: [MapTexture; 8] = [
+    const ALL: [MapTexture; 9] = [
         MapTexture::Heights,
         MapTexture::Patches,
         MapTexture::Bounds(Bounds::CellMax),
@@ -122,6 +123,7 @@ mod tests {
         MapTexture::Bounds(Bounds::Wide),
         MapTexture::Bounds(Bounds::Cones(Cones::Step)),
         MapTexture::Bounds(Bounds::Cones(Cones::Robust)),
+        MapTexture::Bounds(Bounds::Quadrants),
     ];
 
     fn format(words: &Words) -> &'static str {

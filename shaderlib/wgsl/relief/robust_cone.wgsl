@@ -72,24 +72,25 @@ fn robust_cone_to_cell(
     // had before.
     var goes_on = true;
     while goes_on {
-        state = robust_cone_step(bounds, field, frame, state);
+        let cone = robust_cone_over(bounds, field, frame, robust_cone_cell(frame, state.sides));
+        state = robust_cone_step(frame, state, cone);
         goes_on = !state.stands && state.t < frame.end && state.steps < field.limit;
     }
     return state;
 }
 
-/// From a cell to the next, or as far as its cone leads. Where its patch may be hit it stands.
-fn robust_cone_step(
-    bounds: texture_2d_array<u32>,
-    field: ReliefField,
-    frame: WalkFrame,
-    state: RobustConeState,
-) -> RobustConeState {
-    let cell = robust_cone_cell(frame, state.sides) ^ frame.mirror;
-    let cone = textureLoad(bounds, min(cell & field.wrap, field.last), field.layer, field.mip).rg;
-    let bound = f32(cone.x) + RELIEF_PAD;
+/// The cone over a cell of the frame: the height of its tip, and how steep it is.
+fn robust_cone_over(bounds: texture_2d_array<u32>, field: ReliefField, frame: WalkFrame, cell: vec2i) -> vec2f {
+    let texel = min((cell ^ frame.mirror) & field.wrap, field.last);
+    let cone = textureLoad(bounds, texel, field.layer, field.mip).rg;
     // Five bits of exponent, from 2^-14, and eleven of mantissa.
-    let slope = bitcast<f32>((cone.y << 12u) + 0x38800000u);
+    return vec2f(f32(cone.x), bitcast<f32>((cone.y << 12u) + 0x38800000u));
+}
+
+/// From a cell to the next, or as far as its cone leads. Where its patch may be hit it stands.
+fn robust_cone_step(frame: WalkFrame, state: RobustConeState, cone: vec2f) -> RobustConeState {
+    let bound = cone.x + RELIEF_PAD;
+    let slope = cone.y;
     let reach = state.sides * frame.inverse + frame.before;
     let leave = max(min(reach.x, reach.y), state.t);
     let gap = frame.origin.z + frame.direction.z * state.t - bound;

@@ -18,7 +18,8 @@ fn stride_trace(
     var leaves = 0u;
     var goes_on = true;
     while goes_on {
-        state = robust_cone_step(bounds, field, frame, state);
+        let cone = robust_cone_over(bounds, field, frame, robust_cone_cell(frame, state.sides));
+        state = robust_cone_step(frame, state, cone);
         if state.stands {
             leaves++;
             let t = robust_cone_patch(heights, field, frame, state);

@@ -9,6 +9,7 @@ mod figures;
 mod lighting;
 mod machine;
 mod metamorphic;
+mod parallax_shadow;
 mod plain;
 mod pops;
 mod previewed;
@@ -92,6 +93,11 @@ fn the_stride_is_exact() {
 }
 
 #[test]
+fn the_stride_over_quadrants_is_exact() {
+    exact(Method::StrideQuadrants);
+}
+
+#[test]
 fn the_sprint_is_exact() {
     exact(Method::Sprint);
 }
@@ -128,7 +134,7 @@ fn published_cones_are_not() {
 fn a_search_that_is_cut_short_says_so() {
     let Some(gpu) = device() else { return };
     let (heights, sent) = lands(600, 1).find(|(heights, _)| heights.size() == [64, 64]).expect("one of the sizes");
-    for method in [Method::RobustCone, Method::Stride, Method::ConeStep(0)] {
+    for method in [Method::RobustCone, Method::Stride, Method::StrideQuadrants, Method::ConeStep(0)] {
         let trace = |limit| {
             let placed = Placed::new(&heights, method.bounds(), limit).expect("filtered");
             let tracer = Tracer::new(&gpu, &heights, &placed, method).expect("the device takes it");
@@ -179,6 +185,7 @@ fn tint_accepts_every_method() {
         Method::QuadtreeReliefExact,
         Method::RobustCone,
         Method::Stride,
+        Method::StrideQuadrants,
         Method::ConeStep(0),
         Method::ConeStep(16),
         Method::RelaxedCone(15, 8),

@@ -18,6 +18,9 @@ pub enum Cones {
     /// of the bilinear surface. After Bán, Valasek, Bálint and Vad, "Robust Cone Step Mapping", EGSR 2024, whose cones are
     /// round, stand on texels and are narrowed to the smallest of nine neighbours; the tip over a whole cell does the same.
     Robust,
+    /// The same for rays toward one quadrant alone, which narrow it less: bit 0 of its number is set toward smaller x, bit 1
+    /// toward smaller y.
+    Quadrant(u8),
 }
 
 /// The cones of a map.

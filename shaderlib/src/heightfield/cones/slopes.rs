@@ -31,7 +31,9 @@ impl Ground {
 
     fn quadrant(&self, mirror: Mirror) -> Quadrant {
         match self.cones {
-            Cones::Step | Cones::Robust => Quadrant::new(self.size, self.wrap, &self.heights, mirror),
+            Cones::Step | Cones::Robust | Cones::Quadrant(_) => {
+                Quadrant::new(self.size, self.wrap, &self.heights, mirror)
+            }
             Cones::Relaxed => {
                 Quadrant::new(self.size, self.wrap, &falling(self.size, self.wrap, &self.heights, mirror), mirror)
             }
@@ -40,7 +42,7 @@ impl Ground {
 
     /// Texel or cell (x, y) of the map, in a quadrant: where it stands and how high its tip is.
     fn apex(&self, [x, y]: [u32; 2], mirror: Mirror) -> Apex {
-        let extent = i32::from(self.cones == Cones::Robust);
+        let extent = i32::from(matches!(self.cones, Cones::Robust | Cones::Quadrant(_)));
         let size = self.size.map(|side| side as i32);
         let first = [x, y].map(|at| at as i32);
         // A clamped map has no cell beyond its last one, and a side of 1 only one that is nowhere.
@@ -64,13 +66,19 @@ impl Ground {
 pub(super) fn codes(ground: &Ground, stored: &Stored, progress: &(dyn Fn(u64, u64) + Sync)) -> Vec<u16> {
     let width = ground.size[0] as usize;
     let mut codes = vec![stored.code(0.0); ground.heights.len()];
-    let (total, done) = (MIRRORS.len() as u64 * u64::from(ground.size[1]), AtomicU64::new(0));
-    for mirror in &MIRRORS {
+    let mirrors = match ground.cones {
+        Cones::Quadrant(one) => &MIRRORS[usize::from(one % 4)..][..1],
+        _ => &MIRRORS,
+    };
+    let (total, done) = (mirrors.len() as u64 * u64::from(ground.size[1]), AtomicU64::new(0));
+    for mirror in mirrors {
         let quadrant = ground.quadrant(*mirror);
         codes.par_chunks_mut(width).enumerate().for_each(|(y, row)| {
             match ground.cones {
                 Cones::Step | Cones::Relaxed => steepen(ground, stored, &quadrant, &Round, *mirror, y as u32, row),
-                Cones::Robust => steepen(ground, stored, &quadrant, &Square, *mirror, y as u32, row),
+                Cones::Robust | Cones::Quadrant(_) => {
+                    steepen(ground, stored, &quadrant, &Square, *mirror, y as u32, row)
+                }
             }
             progress(done.fetch_add(1, Ordering::Relaxed) + 1, total);
         });

@@ -6,7 +6,7 @@ use super::map::Cones;
 /// How [`Cones::Step`] and [`Cones::Relaxed`] are stored: the ratio of a cone, texels for each unit of height, rounded down.
 pub const RATIO: Format = Format { least: -18 };
 
-/// How [`Cones::Robust`] is stored: the slope of a cone, units of height for each texel, rounded up.
+/// How [`Cones::Robust`] and [`Cones::Quadrant`] are stored: the slope of a cone, units of height for each texel, rounded up.
 pub const SLOPE: Format = Format { least: -14 };
 
 /// What a robust cone is steeper than it need be, so that a shader's roundings cannot leave it.
@@ -27,7 +27,7 @@ impl Stored {
     pub(super) fn code(&self, slope: f64) -> u16 {
         match self.cones {
             Cones::Step | Cones::Relaxed => RATIO.down(self.unit / slope),
-            Cones::Robust => SLOPE.up(slope / self.unit * (1.0 + MARGIN)),
+            Cones::Robust | Cones::Quadrant(_) => SLOPE.up(slope / self.unit * (1.0 + MARGIN)),
         }
     }
 
@@ -35,13 +35,13 @@ impl Stored {
     pub(super) fn slope(&self, code: u16) -> f64 {
         match self.cones {
             Cones::Step | Cones::Relaxed => self.unit / f64::from(RATIO.value(code)),
-            Cones::Robust => self.unit * f64::from(SLOPE.value(code)),
+            Cones::Robust | Cones::Quadrant(_) => self.unit * f64::from(SLOPE.value(code)),
         }
     }
 
     /// No slope up to this has the code of a steeper one.
     pub(super) fn ceiling(&self, code: u16) -> f64 {
-        let margin = if self.cones == Cones::Robust { MARGIN } else { 0.0 };
+        let margin = if matches!(self.cones, Cones::Robust | Cones::Quadrant(_)) { MARGIN } else { 0.0 };
         self.slope(code) / (1.0 + margin) * (1.0 - ROUNDING)
     }
 }

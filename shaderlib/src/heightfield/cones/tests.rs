@@ -46,11 +46,13 @@ fn round(heights: &Heights, seen: &[[i64; 2]], tip: [i64; 2], relaxed: bool) -> 
 }
 
 /// By the definition over cells: every corner, and the middle control point of the cells on the diagonals.
-fn square(heights: &Heights, seen: &[[i64; 2]], cell: [i64; 2]) -> f64 {
+fn square(heights: &Heights, seen: &[[i64; 2]], cell: [i64; 2], ways: &[[i64; 2]]) -> f64 {
+    let toward = |way: i64, axis: usize, at: i64| if way > 0 { at >= cell[axis] } else { at <= cell[axis] + 1 };
+    let counts = |texel: &&[i64; 2]| ways.iter().any(|way| (0..2).all(|axis| toward(way[axis], axis, texel[axis])));
     let base = heights.corners(cell[0], cell[1]).into_iter().fold(f64::MIN, f64::max);
     let climb = |[x, y]: [i64; 2]| (heights.height(x, y) - base).max(0.0);
     let side = |axis: usize, at: i64| if at < cell[axis] { cell[axis] - at } else { (at - cell[axis] - 1).max(0) };
-    let corners = seen.iter().map(|texel| {
+    let corners = seen.iter().filter(counts).map(|texel| {
         let away = side(0, texel[0]).max(side(1, texel[1]));
         if away == 0 { 0.0 } else { climb(*texel) / away as f64 }
     });
@@ -59,8 +61,7 @@ fn square(heights: &Heights, seen: &[[i64; 2]], cell: [i64; 2]) -> f64 {
         heights.border() == Border::Wrap || (0..width).contains(&x) && (0..height).contains(&y)
     };
     let longest = 3 * i64::from(heights.size()[0].max(heights.size()[1]));
-    let diagonals =
-        [[1, 1], [1, -1], [-1, 1], [-1, -1]].into_iter().flat_map(|way| (0..longest).map(move |a| (way, a)));
+    let diagonals = ways.iter().flat_map(|way| (0..longest).map(move |a| (*way, a)));
     let middles = diagonals.map(|(way, a)| {
         let at = |axis: usize, a: i64| cell[axis] + if way[axis] > 0 { 1 + a } else { -a };
         let pair = [[at(0, a + 1), at(1, a)], [at(0, a), at(1, a + 1)]];
@@ -84,7 +85,7 @@ fn differs(cones: Cones, expected: impl Fn(&Heights, &[[i64; 2]], [i64; 2]) -> f
             let slope = expected(&heights, &seen, [i64::from(x), i64::from(y)]);
             let code = match cones {
                 Cones::Step | Cones::Relaxed => RATIO.down(built.unit / slope),
-                Cones::Robust => SLOPE.up(slope / built.unit * (1.0 + 1.0 / 16384.0)),
+                Cones::Robust | Cones::Quadrant(_) => SLOPE.up(slope / built.unit * (1.0 + 1.0 / 16384.0)),
             };
             let found = built.codes[(y * width + x) as usize];
             assert!(found == code, "{cones:?} {:?} {:?} {x} {y}: {found} {code}", heights.size(), heights.border());
@@ -105,5 +106,14 @@ fn relaxed_cones_are_those_of_the_definition() {
 
 #[test]
 fn robust_cones_are_those_of_the_definition() {
-    differs(Cones::Robust, |heights, seen, tip| square(heights, seen, cell(heights, tip)));
+    let all = [[1, 1], [1, -1], [-1, 1], [-1, -1]];
+    differs(Cones::Robust, |heights, seen, tip| square(heights, seen, cell(heights, tip), &all));
+}
+
+#[test]
+fn cones_of_a_quadrant_are_those_of_the_definition() {
+    for (number, way) in [[1, 1], [-1, 1], [1, -1], [-1, -1]].into_iter().enumerate() {
+        let expected = |heights: &Heights, seen: &[[i64; 2]], tip| square(heights, seen, cell(heights, tip), &[way]);
+        differs(Cones::Quadrant(number as u8), expected);
+    }
 }
