@@ -1,7 +1,5 @@
 //! What a stage may bind: the limits that WebGPU promises, and what a material takes of them.
 
-use terrane_shaderlib::relief::MapTexture;
-
 use crate::diagnostic::{Code, Diagnostic};
 use crate::library::texture_variables;
 use crate::program::{Program, ReliefArray};
@@ -33,13 +31,13 @@ pub(crate) fn limits(program: &Program, host: &str) -> Result<(), Vec<Diagnostic
     let sampled = Kind {
         name: "texture arrays",
         free: SAMPLED.saturating_sub(sampled),
-        textures: arrays(program).chain(maps(program, |texture| !texture.is_storage())).collect(),
+        textures: arrays(program).chain(maps(program, false)).collect(),
         help: "files of equal size and format share an array: bring the textures to few sizes and formats",
     };
     let storage = Kind {
         name: "storage textures",
         free: STORAGE.saturating_sub(storage),
-        textures: maps(program, MapTexture::is_storage).collect(),
+        textures: maps(program, true).collect(),
         help: "height maps of equal size share theirs: bring them to few sizes, or write `method: walk`",
     };
     [sampled, storage].into_iter().try_for_each(|kind| kind.fits(program))
@@ -61,8 +59,7 @@ fn arrays(program: &Program) -> impl Iterator<Item = String> {
     program.arrays.iter().map(|array| format!("`{}`: {}", array.name(), array.files.join(", ")))
 }
 
-fn maps(program: &Program, counts: fn(MapTexture) -> bool) -> impl Iterator<Item = String> {
+fn maps(program: &Program, storage: bool) -> impl Iterator<Item = String> {
     let files = |array: &ReliefArray| array.maps.iter().map(|map| map.file.clone()).collect::<Vec<_>>().join(", ");
-    let maps = program.relief.iter().flat_map(|relief| relief.maps()).filter(move |(_, texture)| counts(*texture));
-    maps.map(move |(array, texture)| format!("`{}`: {}", array.name(texture), files(array)))
+    program.maps(storage).map(move |(array, texture)| format!("`{}`: {}", array.name(texture), files(array)))
 }

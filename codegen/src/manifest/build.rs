@@ -2,7 +2,6 @@
 
 use naga::TypeInner;
 use sha2::{Digest, Sha256};
-use terrane_shaderlib::relief::MapTexture;
 
 use super::relief::relief;
 use super::{
@@ -166,18 +165,15 @@ fn samplers(program: &Program) -> Vec<SamplerInfo> {
 }
 
 fn limits(program: &Program, uniform: Option<&UniformInfo>) -> LimitsInfo {
+    let layers = program.arrays.iter().map(|array| array.files.len());
+    let maps = program.relief.iter().flat_map(|relief| &relief.arrays).map(|array| array.maps.len());
     LimitsInfo {
-        sampled_textures: (program.arrays.len() + maps(program, |texture| !texture.is_storage())) as u32,
-        storage_textures: maps(program, MapTexture::is_storage) as u32,
+        sampled_textures: (program.arrays.len() + program.maps(false).count()) as u32,
+        storage_textures: program.maps(true).count() as u32,
         samplers: program.samplers.len() as u32,
         uniform_bytes: uniform.map_or(0, |uniform| uniform.size),
-        texture_array_layers: program.arrays.iter().map(|array| array.files.len() as u32).max().unwrap_or(0),
+        texture_array_layers: layers.chain(maps).max().unwrap_or(0) as u32,
     }
-}
-
-/// Textures of height maps that count.
-fn maps(program: &Program, counts: fn(MapTexture) -> bool) -> usize {
-    program.relief.iter().flat_map(|relief| relief.maps()).filter(|(_, texture)| counts(*texture)).count()
 }
 
 fn permutation(parts: &Parts<'_>, sources: &Sources) -> PermutationInfo {

@@ -7,7 +7,7 @@ use terrane_shaderlib::relief::MapTexture;
 use crate::diagnostic::Span;
 use crate::graph::model::{ReliefShadow, ReliefTrace};
 
-use super::ValueId;
+use super::{Program, ValueId};
 
 /// How a program's displaced surface is traced, and the maps that it is made of.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,6 +29,14 @@ impl ProgramRelief {
     /// All arrays with their textures, in the order in which they are bound and passed on.
     pub fn maps(&self) -> impl Iterator<Item = (&ReliefArray, MapTexture)> {
         self.arrays.iter().flat_map(|array| self.textures().into_iter().map(move |texture| (array, texture)))
+    }
+}
+
+impl Program {
+    /// The textures over height maps that are storage textures, or those that are sampled.
+    pub fn maps(&self, storage: bool) -> impl Iterator<Item = (&ReliefArray, MapTexture)> {
+        let all = self.relief.iter().flat_map(ProgramRelief::maps);
+        all.filter(move |(_, texture)| texture.is_storage() == storage)
     }
 }
 

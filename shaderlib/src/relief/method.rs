@@ -52,9 +52,8 @@ impl Method {
     /// Whether it finds the first hit of every ray.
     #[must_use]
     pub fn is_exact(self) -> bool {
-        let cones = [Bounds::Cones(Cones::Robust), Bounds::Quadrants];
-        let exact = [[Bounds::CellMax, Bounds::Patches].as_slice(), &[Bounds::Wide], &cones].concat();
-        exact.contains(&self.bounds())
+        let cones = matches!(self.bounds(), Bounds::Cones(Cones::Robust) | Bounds::Quadrants);
+        cones || matches!(self.bounds(), Bounds::CellMax | Bounds::Patches | Bounds::Wide)
     }
 
     /// What it knows of the map.

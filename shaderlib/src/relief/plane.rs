@@ -59,12 +59,12 @@ impl Plane {
                 let [red, green] = mips.get(mip)?[at].map(u32::from);
                 [red, green, 0, 1]
             }
-            // These have one mip.
-            Words::R32(words) => [words[at], 0, 0, 1],
             Words::Rg32(mips) => {
                 let [red, green] = mips.get(mip)?[at];
                 [red, green, 0, 1]
             }
+            // These have one mip.
+            Words::R32(words) => [words[at], 0, 0, 1],
             Words::Rgba32(words) => words[at],
         })
     }

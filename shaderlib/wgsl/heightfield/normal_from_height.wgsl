@@ -15,16 +15,28 @@ fn normal_from_height(
     /// Side of one tile. [m] 0.01..16384 = 4.0
     tile: f32,
 ) -> vec3f {
+    let rise = normal_from_height_rise(of_texture, of_sampler, of_layer, uv, 0u);
+    return layer_normal(-rise * (depth / max(tile, 0.01)));
+}
+
+/// By how much of white a channel's heights rise to a tile along u and along v.
+fn normal_from_height_rise(
+    of_texture: texture_2d_array<f32>,
+    of_sampler: sampler,
+    of_layer: i32,
+    uv: Coord,
+    channel: u32,
+) -> vec2f {
     let reach = normal_from_height_reach(of_texture, uv);
     let x = vec2f(reach.x, 0.0);
     let y = vec2f(0.0, reach.y);
     let rise = vec2f(
-        textureSampleGrad(of_texture, of_sampler, uv.uv + x, of_layer, uv.ddx, uv.ddy).r
-            - textureSampleGrad(of_texture, of_sampler, uv.uv - x, of_layer, uv.ddx, uv.ddy).r,
-        textureSampleGrad(of_texture, of_sampler, uv.uv + y, of_layer, uv.ddx, uv.ddy).r
-            - textureSampleGrad(of_texture, of_sampler, uv.uv - y, of_layer, uv.ddx, uv.ddy).r,
+        textureSampleGrad(of_texture, of_sampler, uv.uv + x, of_layer, uv.ddx, uv.ddy)[channel]
+            - textureSampleGrad(of_texture, of_sampler, uv.uv - x, of_layer, uv.ddx, uv.ddy)[channel],
+        textureSampleGrad(of_texture, of_sampler, uv.uv + y, of_layer, uv.ddx, uv.ddy)[channel]
+            - textureSampleGrad(of_texture, of_sampler, uv.uv - y, of_layer, uv.ddx, uv.ddy)[channel],
     );
-    return layer_normal(-rise / (2.0 * reach) * (depth / max(tile, 0.01)));
+    return rise / (2.0 * reach);
 }
 
 /// How far from the middle to sample, in tiles: a texel, or a pixel where that is larger, since nearer samples of a coarser mip hardly differ.

@@ -72,17 +72,21 @@ fn robust_cone_to_cell(
     // had before.
     var goes_on = true;
     while goes_on {
-        let cone = robust_cone_over(bounds, field, frame, robust_cone_cell(frame, state.sides));
-        state = robust_cone_step(frame, state, cone);
+        let texel = robust_cone_texel(bounds, field, frame, state.sides);
+        state = robust_cone_step(frame, state, robust_cone_of(texel));
         goes_on = !state.stands && state.t < frame.end && state.steps < field.limit;
     }
     return state;
 }
 
-/// The cone over a cell of the frame: the height of its tip, and how steep it is.
-fn robust_cone_over(bounds: texture_2d_array<u32>, field: ReliefField, frame: WalkFrame, cell: vec2i) -> vec2f {
-    let texel = min((cell ^ frame.mirror) & field.wrap, field.last);
-    let cone = textureLoad(bounds, texel, field.layer, field.mip).rg;
+/// What is stored of the cell with these far sides.
+fn robust_cone_texel(bounds: texture_2d_array<u32>, field: ReliefField, frame: WalkFrame, sides: vec2f) -> vec2u {
+    let cell = robust_cone_cell(frame, sides) ^ frame.mirror;
+    return textureLoad(bounds, min(cell & field.wrap, field.last), field.layer, field.mip).rg;
+}
+
+/// The cone of a texel: the height of its tip, and how steep it is.
+fn robust_cone_of(cone: vec2u) -> vec2f {
     // Five bits of exponent, from 2^-14, and eleven of mantissa.
     return vec2f(f32(cone.x), bitcast<f32>((cone.y << 12u) + 0x38800000u));
 }

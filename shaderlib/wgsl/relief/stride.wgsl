@@ -13,12 +13,27 @@ fn stride_trace(
     field: ReliefField,
     ray: ReliefRay,
 ) -> ReliefHit {
+    return stride_search(heights, bounds, field, ray, false);
+}
+
+/// The same over one cone for all directions, or over one for each quadrant of them.
+fn stride_search(
+    heights: texture_2d_array<u32>,
+    bounds: texture_2d_array<u32>,
+    field: ReliefField,
+    ray: ReliefRay,
+    quadrants: bool,
+) -> ReliefHit {
     let frame = walk_frame(ray);
     var state = RobustConeState(vec2f(1.0), 0.0, 0.0, 0u, false);
     var leaves = 0u;
     var goes_on = true;
     while goes_on {
-        let cone = robust_cone_over(bounds, field, frame, robust_cone_cell(frame, state.sides));
+        let texel = robust_cone_texel(bounds, field, frame, state.sides);
+        var cone = robust_cone_of(texel);
+        if quadrants {
+            cone = stride_quadrants_of(texel, frame.mirror);
+        }
         state = robust_cone_step(frame, state, cone);
         if state.stands {
             leaves++;

@@ -83,7 +83,7 @@ impl<'a> Builder<'a> {
                 NodeResult::Value(value) => *value,
                 NodeResult::Outputs(outputs) => outputs[output],
             },
-            InputValue::Frame(field) => self.leaf(Op::Frame(*field), field.ty()),
+            InputValue::Frame(field) => self.frame(*field),
             InputValue::Parameter(index) => {
                 let ty = context.graph.parameters[*index].ty.clone();
                 self.leaf(Op::Parameter(context.parameters[*index]), ty)

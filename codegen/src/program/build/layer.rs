@@ -7,7 +7,7 @@ use super::graph::Context;
 use super::resource::position;
 use crate::diagnostic::Span;
 use crate::graph::model::{FrameField, GraphId, LayerMask, Relief, SURFACE_OUTPUTS};
-use crate::program::{LayerRelief, Op, Origin, ProgramLayer, ProgramRelief, ReliefArray, ReliefMap, ValueId};
+use crate::program::{LayerRelief, Origin, ProgramLayer, ProgramRelief, ReliefArray, ReliefMap, ValueId};
 use crate::value::{Literal, Type};
 
 impl<'a> Builder<'a> {
@@ -23,7 +23,7 @@ impl<'a> Builder<'a> {
             LayerMask::Full => None,
             LayerMask::Painted(texture) => {
                 let of = self.texture(texture);
-                let uv = self.leaf(Op::Frame(FrameField::TerrainUv), FrameField::TerrainUv.ty());
+                let uv = self.frame(FrameField::TerrainUv);
                 let file = texture.file.rsplit('/').next().unwrap_or_default();
                 let name = file.split('.').next().unwrap_or_default();
                 Some(self.sample(of, uv, texture.channel.unwrap_or(0), name.to_owned(), texture.span))
@@ -90,13 +90,11 @@ impl<'a> Builder<'a> {
     fn relief_normal(&mut self, context: &Context<'a>, relief: &Relief) -> ValueId {
         let texture = &context.graph.textures[relief.texture];
         let channel = Literal::U32(u32::from(texture.channel.unwrap_or(0)));
-        let frame = |field: FrameField| (Op::Frame(field), field.ty());
-        let [position, ground] = [FrameField::Position, FrameField::Normal].map(frame);
         let inputs = vec![
             self.texture(texture),
             self.input(context, &relief.uv),
-            self.leaf(position.0, position.1),
-            self.leaf(ground.0, ground.1),
+            self.frame(FrameField::Position),
+            self.frame(FrameField::Normal),
             self.literal(Literal::f32(relief.depth)),
             self.literal(channel),
         ];

@@ -2,7 +2,7 @@
 
 use super::Builder;
 use crate::diagnostic::Span;
-use crate::graph::model::Access;
+use crate::graph::model::{Access, FrameField};
 use crate::library::Library;
 use crate::program::fold;
 use crate::program::{Op, Origin, Value, ValueId};
@@ -63,6 +63,10 @@ impl Builder<'_> {
 
     pub(super) fn literal(&mut self, literal: Literal) -> ValueId {
         self.leaf(Op::Literal(literal), literal.ty())
+    }
+
+    pub(super) fn frame(&mut self, field: FrameField) -> ValueId {
+        self.leaf(Op::Frame(field), field.ty())
     }
 
     pub(super) fn leaf(&mut self, op: Op, ty: Type) -> ValueId {

@@ -23,6 +23,13 @@ pub enum Cones {
     Quadrant(u8),
 }
 
+impl Cones {
+    /// Whether they are square and stand on cells.
+    pub(super) fn are_square(self) -> bool {
+        matches!(self, Self::Robust | Self::Quadrant(_))
+    }
+}
+
 /// The cones of a map.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ConeMap {

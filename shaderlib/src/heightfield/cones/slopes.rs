@@ -31,18 +31,16 @@ impl Ground {
 
     fn quadrant(&self, mirror: Mirror) -> Quadrant {
         match self.cones {
-            Cones::Step | Cones::Robust | Cones::Quadrant(_) => {
-                Quadrant::new(self.size, self.wrap, &self.heights, mirror)
-            }
             Cones::Relaxed => {
                 Quadrant::new(self.size, self.wrap, &falling(self.size, self.wrap, &self.heights, mirror), mirror)
             }
+            _ => Quadrant::new(self.size, self.wrap, &self.heights, mirror),
         }
     }
 
     /// Texel or cell (x, y) of the map, in a quadrant: where it stands and how high its tip is.
     fn apex(&self, [x, y]: [u32; 2], mirror: Mirror) -> Apex {
-        let extent = i32::from(matches!(self.cones, Cones::Robust | Cones::Quadrant(_)));
+        let extent = i32::from(self.cones.are_square());
         let size = self.size.map(|side| side as i32);
         let first = [x, y].map(|at| at as i32);
         // A clamped map has no cell beyond its last one, and a side of 1 only one that is nowhere.
@@ -74,11 +72,10 @@ pub(super) fn codes(ground: &Ground, stored: &Stored, progress: &(dyn Fn(u64, u6
     for mirror in mirrors {
         let quadrant = ground.quadrant(*mirror);
         codes.par_chunks_mut(width).enumerate().for_each(|(y, row)| {
-            match ground.cones {
-                Cones::Step | Cones::Relaxed => steepen(ground, stored, &quadrant, &Round, *mirror, y as u32, row),
-                Cones::Robust | Cones::Quadrant(_) => {
-                    steepen(ground, stored, &quadrant, &Square, *mirror, y as u32, row)
-                }
+            if ground.cones.are_square() {
+                steepen(ground, stored, &quadrant, &Square, *mirror, y as u32, row);
+            } else {
+                steepen(ground, stored, &quadrant, &Round, *mirror, y as u32, row);
             }
             progress(done.fetch_add(1, Ordering::Relaxed) + 1, total);
         });

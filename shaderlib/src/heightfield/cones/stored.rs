@@ -41,7 +41,7 @@ impl Stored {
 
     /// No slope up to this has the code of a steeper one.
     pub(super) fn ceiling(&self, code: u16) -> f64 {
-        let margin = if matches!(self.cones, Cones::Robust | Cones::Quadrant(_)) { MARGIN } else { 0.0 };
+        let margin = if self.cones.are_square() { MARGIN } else { 0.0 };
         self.slope(code) / (1.0 + margin) * (1.0 - ROUNDING)
     }
 }
