@@ -1,6 +1,6 @@
 //! The texels that narrow a relaxed cone.
 
-use super::quadrant::Mirror;
+use super::mirror::Mirror;
 
 /// The heights of the texels from which the ground falls, in the cell that begins there toward a quadrant, along one of its four
 /// edges; of the others minus infinity. Where no edge falls, a ray that falls stays in the ground. Source: Bán, Valasek,

@@ -1,7 +1,7 @@
 //! A cone for every texel.
 
-use super::slopes::{Ground, codes};
 use super::stored::Stored;
+use super::{round, square};
 use crate::heightfield::{Heights, Texels};
 
 /// Which cones.
@@ -30,6 +30,15 @@ impl Cones {
     }
 }
 
+/// The heights of texels in steps of the map.
+pub(super) fn steps(texels: &Texels) -> Vec<f32> {
+    match texels {
+        Texels::U8(values) => values.iter().map(|value| f32::from(*value)).collect(),
+        Texels::U16(values) => values.iter().map(|value| f32::from(*value)).collect(),
+        Texels::F32(values) => values.clone(),
+    }
+}
+
 /// The cones of a map.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ConeMap {
@@ -49,7 +58,8 @@ impl ConeMap {
     #[must_use]
     pub fn new(heights: &Heights, cones: Cones, progress: &(dyn Fn(u64, u64) + Sync)) -> Self {
         let stored = Stored { cones, unit: unit(heights.texels()) };
-        let codes = codes(&Ground::new(heights, cones), &stored, progress);
+        let codes = if cones.are_square() { square::codes } else { round::codes };
+        let codes = codes(heights, &stored, progress);
         Self { cones, size: heights.size(), unit: stored.unit, codes }
     }
 

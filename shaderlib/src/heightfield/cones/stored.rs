@@ -39,9 +39,8 @@ impl Stored {
         }
     }
 
-    /// No slope up to this has the code of a steeper one.
+    /// No slope of a round cone up to this has the code of a steeper one.
     pub(super) fn ceiling(&self, code: u16) -> f64 {
-        let margin = if self.cones.are_square() { MARGIN } else { 0.0 };
-        self.slope(code) / (1.0 + margin) * (1.0 - ROUNDING)
+        self.slope(code) * (1.0 - ROUNDING)
     }
 }
