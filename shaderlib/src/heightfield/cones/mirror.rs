@@ -33,10 +33,7 @@ pub(super) fn mirrored(size: [u32; 2], texels: &[f32], mirror: Mirror) -> Level<
     Level { size, values }
 }
 
-/// Where a texel is in a mirrored map; or a cell, which goes on to the next texel and is counted by its first.
-pub(super) fn place([x, y]: [u32; 2], size: [u32; 2], mirror: Mirror, cell: bool) -> [u32; 2] {
-    let first = |at: u32, side: u32, mirrored: bool| {
-        if mirrored { (2 * side - 1 - at - u32::from(cell)) % side } else { at }
-    };
-    [first(x, size[0], mirror[0]), first(y, size[1], mirror[1])]
+/// Where a texel is in a mirrored map.
+pub(super) fn place(at: [u32; 2], size: [u32; 2], mirror: Mirror) -> [u32; 2] {
+    [0, 1].map(|axis| if mirror[axis] { size[axis] - 1 - at[axis] } else { at[axis] })
 }

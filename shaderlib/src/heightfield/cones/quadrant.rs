@@ -121,7 +121,7 @@ impl Quadrant {
         let climb = self.height(texel).unwrap_or(f64::NEG_INFINITY) - tip.height;
         let slope = if climb > 0.0 { climb / tip.away(texel).sqrt() } else { 0.0 };
         if slope > known.ceiling {
-            *known = Steepest::new(known.stored, known.stored.code(slope), texel);
+            *known = Steepest::new(known.stored, known.stored.round(slope), texel);
         }
     }
 }

@@ -14,7 +14,7 @@ use crate::heightfield::{Border, Heights};
 /// The codes of all cones over texels: of each the steepest way from its tip to a texel that counts.
 pub(super) fn codes(heights: &Heights, stored: &Stored, progress: &(dyn Fn(u64, u64) + Sync)) -> Vec<u16> {
     let (size, wrap, steps) = (heights.size(), heights.border() == Border::Wrap, steps(heights.texels()));
-    let mut codes = vec![stored.code(0.0); steps.len()];
+    let mut codes = vec![stored.round(0.0); steps.len()];
     let mirrors = mirrors(stored.cones);
     let (total, done) = (mirrors.len() as u64 * u64::from(size[1]), AtomicU64::new(0));
     for mirror in mirrors {
@@ -44,7 +44,7 @@ fn steepen(
     let mut last = [0, 0];
     for x in 0..size[0] {
         let x = if mirror[0] { size[0] - 1 - x } else { x };
-        let at = place([x, y], size, mirror, false).map(|at| at as i32);
+        let at = place([x, y], size, mirror).map(|at| at as i32);
         let tip = Tip { at, height: f64::from(row[x as usize]) };
         let mut steepest = Steepest::new(stored, codes[x as usize], last);
         // What was steepest from the neighbour often still is: then most nodes stay closed from the start.

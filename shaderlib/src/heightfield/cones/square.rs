@@ -1,17 +1,18 @@
-//! The steepest way up from every cell toward one quadrant, by the maxima of squares.
+//! The steepest way up from every cell, by the maxima of squares.
 //!
 //! What stands up to `d` texels away is as steep as the highest of it at that distance, or steeper; so the steepest way up is the
 //! steepest over all `d` to the highest point of the square of `d` texels, and squares grow by a comparison for each row and column.
 //! Near a cell they grow texel by texel, and what is found is what there is. Farther away they grow by nodes of two, four, eight
 //! texels, counted as near as they can be: there a cone may be a few hundredths steeper than it has to be, and that of one quadrant
-//! is narrowed by what lies in the cell's node behind it too; it is never less steep than it has to be.
+//! is narrowed by what lies in the cell's node behind it too; it is never less steep than it has to be. All of it is f32 and in an
+//! order that leaves no choice, so that a device that does the same finds the same (`hosts/relief/cones.wgsl`).
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use rayon::prelude::*;
 
 use super::map::steps;
-use super::mirror::{Mirror, mirrored, mirrors, place};
+use super::mirror::{Mirror, mirrors};
 use super::node_row::NodeRow;
 use super::stored::Stored;
 use super::windows::{Windows, larger, steepen};
@@ -24,67 +25,53 @@ const NEAR: usize = 32;
 /// Rows of cells to a task at least, and rows of nodes.
 const BAND: [usize; 2] = [64, 8];
 
-/// More than slopes in f32 lack: the roundings of a difference, of one over a distance, and of their product.
-const ROUNDING: f64 = 1.0 / (1_u32 << 22) as f64;
-
 /// The codes of all cones over cells.
 pub(super) fn codes(heights: &Heights, stored: &Stored, progress: &(dyn Fn(u64, u64) + Sync)) -> Vec<u16> {
-    let (size, steps, mirrors) = (heights.size(), steps(heights.texels()), mirrors(stored.cones));
-    let (total, tasks) = (mirrors.len() as u64 * Land::tasks(heights), AtomicU64::new(0));
-    let done = || progress(tasks.fetch_add(1, Ordering::Relaxed) + 1, total);
-    let mut codes = vec![stored.code(0.0); steps.len()];
-    for mirror in mirrors {
-        let slopes = Land::new(heights, &steps, *mirror).slopes(&done);
-        codes.par_chunks_mut(size[0] as usize).enumerate().for_each(|(y, codes)| {
-            for (x, code) in codes.iter_mut().enumerate() {
-                let cell = first(heights, [x as u32, y as u32]);
-                let [x, y] = place(cell, size, *mirror, true).map(|at| at as usize);
-                *code = stored.code(f64::from(slopes[y * size[0] as usize + x]) * (1.0 + ROUNDING)).max(*code);
-            }
-        });
-    }
-    codes
+    let land = Land::new(heights, mirrors(stored.cones));
+    let (total, tasks) = (land.tasks(), AtomicU64::new(0));
+    let slopes = land.slopes(&|| progress(tasks.fetch_add(1, Ordering::Relaxed) + 1, total));
+    let [width, height] = heights.size();
+    let [columns, rows] = heights.cells();
+    let texels = (0..height).flat_map(|y| (0..width).map(move |x| [x, y]));
+    // Where no cell begins, it is that of the one before.
+    let cells = texels.map(|[x, y]| (y.min(rows - 1) * width + x.min(columns - 1)) as usize);
+    cells.map(|cell| stored.square(slopes[cell])).collect()
 }
 
-/// The cell of a texel: where none begins, the last one before it.
-fn first(heights: &Heights, texel: [u32; 2]) -> [u32; 2] {
-    let cells = heights.cells();
-    [0, 1].map(|axis| texel[axis].min(cells[axis] - 1))
-}
-
-/// The map as a quadrant sees it.
-pub(super) struct Land {
+/// A map and the quadrants that count.
+struct Land {
+    mirrors: &'static [Mirror],
     wrap: bool,
-    /// The heights; beyond their last column and row come those that a diagonal asks for.
-    ground: Windows,
+    heights: Level<f32>,
     /// The tips of the cells, and the largest of nodes of them. A map that ends has a last column and row whose cells are none:
     /// they hold nothing that the cells before them do not.
     tips: Vec<Level<f32>>,
 }
 
 impl Land {
-    pub(super) fn new(heights: &Heights, texels: &[f32], mirror: Mirror) -> Self {
-        let level = mirrored(heights.size(), texels, mirror);
+    fn new(heights: &Heights, mirrors: &'static [Mirror]) -> Self {
         let wrap = heights.border() == Border::Wrap;
-        let [width, height] = level.size.map(|side| side as usize);
-        let mut corners = Windows::new(&level, wrap, 0, height, 1);
+        let heights = Level { size: heights.size(), values: steps(heights.texels()) };
+        let [width, height] = heights.size.map(|side| side as usize);
+        let mut corners = Windows::new(&heights, wrap, 0..height, 1);
         corners.grow();
-        let values = (0..height).flat_map(|y| &corners.row(y)[..width]).copied().collect();
-        let ground = Windows::new(&level, wrap, 0, height, NEAR + 2);
-        Self { wrap, ground, tips: maxima(Level { size: level.size, values }) }
+        let values = (0..height).flat_map(|y| &corners.row(y, [0, 0])[..width]).copied().collect();
+        let tips = maxima(Level { size: heights.size, values });
+        Self { mirrors, wrap, heights, tips }
     }
 
     /// Steps to each texel that the steepest way up from each cell climbs, in f32: less than three roundings below what it is.
     /// `done` is told of each task that is.
-    pub(super) fn slopes(&self, done: &(dyn Fn() + Sync)) -> Vec<f32> {
+    fn slopes(&self, done: &(dyn Fn() + Sync)) -> Vec<f32> {
         let [width, height] = self.tips[0].size.map(|side| side as usize);
-        let farthest = width.max(height) - 1;
+        let farthest = NEAR.min(width.max(height) - 1);
         let mut slopes = vec![0.0; width * height];
         slopes.par_chunks_mut(width * band(0)).enumerate().for_each(|(at, slopes)| {
-            self.near(at * band(0), NEAR.min(farthest), slopes);
+            self.near(at * band(0), farthest, slopes);
+            self.diagonals(at * band(0), farthest, slopes);
             done();
         });
-        for (level, rings) in rings(self.wrap, [width, height]) {
+        for (level, rings) in rings(self.wrap, self.tips[0].size) {
             slopes.par_chunks_mut((width * band(level)) << level).enumerate().for_each(|(at, slopes)| {
                 self.far(level, at * band(level), &rings, slopes);
                 done();
@@ -94,41 +81,50 @@ impl Land {
     }
 
     /// Tasks of [`Self::slopes`].
-    pub(super) fn tasks(heights: &Heights) -> u64 {
-        let [width, height] = heights.size().map(|side| side as usize);
-        let wrap = heights.border() == Border::Wrap;
-        let levels = std::iter::once(0).chain(rings(wrap, [width, height]).into_iter().map(|(level, _)| level));
-        levels.map(|level| height.div_ceil(band(level) << level) as u64).sum()
+    fn tasks(&self) -> u64 {
+        let size = self.tips[0].size;
+        let levels = std::iter::once(0).chain(rings(self.wrap, size).into_iter().map(|(level, _)| level));
+        levels.map(|level| (size[1] as usize).div_ceil(band(level) << level) as u64).sum()
+    }
+
+    /// The tips from a row on, row by row.
+    fn tips_from(&self, row: usize) -> impl Iterator<Item = &[f32]> {
+        let width = self.tips[0].size[0] as usize;
+        self.tips[0].values[row * width..].chunks_exact(width)
     }
 
     /// Of rows from one on: what is up to so many texels away.
     fn near(&self, from: usize, farthest: usize, slopes: &mut [f32]) {
         let width = self.tips[0].size[0] as usize;
-        let rows = slopes.len() / width;
-        let tips = |row: usize| &self.tips[0].values[(from + row) * width..][..width];
-        let mut windows = Windows::new(&self.tips[0], self.wrap, from, rows, farthest);
+        let mut windows = Windows::new(&self.tips[0], self.wrap, from..from + slopes.len() / width, farthest);
         for away in 1..=farthest {
             windows.grow();
-            let share = 1.0 / away as f32;
-            for (row, slopes) in slopes.chunks_exact_mut(width).enumerate() {
-                steepen(slopes, tips(row), windows.row(row), share);
+            for (y, (slopes, tips)) in slopes.chunks_exact_mut(width).zip(self.tips_from(from)).enumerate() {
+                for mirror in self.mirrors {
+                    steepen(slopes, tips, windows.row(y, before(*mirror, away)), 1.0 / away as f32);
+                }
             }
-        }
-        for (row, slopes) in slopes.chunks_exact_mut(width).enumerate() {
-            (0..farthest).for_each(|away| self.diagonal(from + row, away, tips(row), slopes));
         }
     }
 
     /// Over a cell that the diagonal crosses, from (a, a) to (a + 1, a + 1) away, surface and distance are quadratics along it, and
     /// their middle control points have to compare as well: half the sum of the two corners beside it, and a + 1/2. Everywhere
     /// else what is true at the corners of a cell is true in it.
-    fn diagonal(&self, row: usize, away: usize, tips: &[f32], slopes: &mut [f32]) {
-        let (right, below) =
-            (&self.ground.row(row + away + 1)[away + 2..], &self.ground.row(row + away + 2)[away + 1..]);
-        let share = 1.0 / (2 * away + 1) as f32;
-        for (((slope, tip), right), below) in slopes.iter_mut().zip(tips).zip(right).zip(below) {
-            let climb = larger(0.0, right - tip) + larger(0.0, below - tip);
-            *slope = larger(*slope, climb * share);
+    fn diagonals(&self, from: usize, farthest: usize, slopes: &mut [f32]) {
+        let width = self.tips[0].size[0] as usize;
+        let rows = from..from + slopes.len() / width;
+        let ground = Windows::new(&self.heights, self.wrap, rows, farthest + 1);
+        for (y, (slopes, tips)) in slopes.chunks_exact_mut(width).zip(self.tips_from(from)).enumerate() {
+            for (mirror, away) in self.mirrors.iter().flat_map(|mirror| (0..farthest).map(move |away| (*mirror, away)))
+            {
+                let beside = ground.corner(y, mirror, [away + 1, away]);
+                let below = ground.corner(y, mirror, [away, away + 1]);
+                let share = 1.0 / (2 * away + 1) as f32;
+                for (((slope, tip), beside), below) in slopes.iter_mut().zip(tips).zip(beside).zip(below) {
+                    let climb = larger(0.0, beside - tip) + larger(0.0, below - tip);
+                    *slope = larger(*slope, climb * share);
+                }
+            }
         }
     }
 
@@ -136,18 +132,27 @@ impl Land {
     fn far(&self, level: usize, from: usize, rings: &[Ring], slopes: &mut [f32]) {
         let width = self.tips[0].size[0] as usize;
         let tips = &self.tips[0].values[(from << level) * width..][..slopes.len()];
-        let rows = (slopes.len() / width).div_ceil(1 << level);
+        let rows = from..from + (slopes.len() / width).div_ceil(1 << level);
         let most = rings.last().map_or(0, |ring| ring.reach);
-        let mut windows = Windows::new(&self.tips[level], self.wrap, from, rows, most);
+        let mut windows = Windows::new(&self.tips[level], self.wrap, rows, most);
         let of_rows = slopes.chunks_mut(width << level).zip(tips.chunks(width << level));
         let mut rows: Vec<_> = of_rows.map(|(slopes, tips)| NodeRow::new(level, width, tips, slopes)).collect();
         let mut reach = 0;
         for ring in rings {
             (reach..ring.reach).for_each(|_| windows.grow());
             reach = ring.reach;
-            rows.iter_mut().enumerate().for_each(|(y, row)| row.steepen(windows.row(y), ring.share));
+            for (y, row) in rows.iter_mut().enumerate() {
+                for mirror in self.mirrors {
+                    row.steepen(windows.row(y, before(*mirror, reach)), ring.share);
+                }
+            }
         }
     }
+}
+
+/// How far before a place the square toward a quadrant begins.
+fn before(mirror: Mirror, reach: usize) -> [usize; 2] {
+    mirror.map(|mirrored| if mirrored { reach } else { 0 })
 }
 
 /// Rows of nodes to a task.
@@ -162,7 +167,8 @@ struct Ring {
 }
 
 /// The rings of each level of nodes, by which everything is reached that is farther than [`NEAR`].
-fn rings(wrap: bool, size: [usize; 2]) -> Vec<(usize, Vec<Ring>)> {
+fn rings(wrap: bool, size: [u32; 2]) -> Vec<(usize, Vec<Ring>)> {
+    let size = size.map(|side| side as usize);
     let farthest = size[0].max(size[1]) - 1;
     let (mut covered, mut levels) = (NEAR, Vec::new());
     while covered < farthest {

@@ -9,8 +9,9 @@ pub const RATIO: Format = Format { least: -18 };
 /// How [`Cones::Robust`] and [`Cones::Quadrant`] are stored: the slope of a cone, units of height for each texel, rounded up.
 pub const SLOPE: Format = Format { least: -14 };
 
-/// What a robust cone is steeper than it need be, so that a shader's roundings cannot leave it.
-const MARGIN: f64 = 1.0 / 16384.0;
+/// What square cones are steeper than they need be: 2^-14 so that a shader's roundings cannot leave them, and 2^-21 for the four
+/// roundings of a slope in f32.
+const STEEPER: f32 = 1.0 + 1.0 / (1 << 14) as f32 + 1.0 / (1 << 21) as f32;
 
 /// More than f64 rounds in a few operations, and far less than a code.
 const ROUNDING: f64 = 1e-12;
@@ -24,11 +25,14 @@ pub(super) struct Stored {
 }
 
 impl Stored {
-    pub(super) fn code(&self, slope: f64) -> u16 {
-        match self.cones {
-            Cones::Step | Cones::Relaxed => RATIO.down(self.unit / slope),
-            Cones::Robust | Cones::Quadrant(_) => SLOPE.up(slope / self.unit * (1.0 + MARGIN)),
-        }
+    /// Of a round cone.
+    pub(super) fn round(&self, slope: f64) -> u16 {
+        RATIO.down(self.unit / slope)
+    }
+
+    /// Of a square cone, whose slope was found in f32.
+    pub(super) fn square(&self, slope: f32) -> u16 {
+        SLOPE.up(f64::from(slope / self.unit as f32 * STEEPER))
     }
 
     /// What a shader decodes.

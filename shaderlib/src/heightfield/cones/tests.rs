@@ -84,13 +84,16 @@ fn differs(cones: Cones, expected: impl Fn(&Heights, &[[i64; 2]], [i64; 2]) -> f
         for (x, y) in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
             let slope = expected(&heights, &seen, [i64::from(x), i64::from(y)]);
             let found = built.codes[(y * width + x) as usize];
-            // What is looked for in f32 may be a rounding steeper.
-            let [code, other] = [slope, slope * (1.0 + 1.0 / 4_194_304.0)].map(|slope| match cones {
-                Cones::Step | Cones::Relaxed => RATIO.down(built.unit / slope),
-                Cones::Robust | Cones::Quadrant(_) => SLOPE.up(slope / built.unit * (1.0 + 1.0 / 16384.0)),
-            });
             let what = format!("{cones:?} {:?} {:?} {x} {y}", heights.size(), heights.border());
-            assert!(found == code || cones.are_square() && found == other, "{what}: {found} for {code}");
+            match cones {
+                Cones::Step | Cones::Relaxed => assert_eq!(found, RATIO.down(built.unit / slope), "{what}"),
+                Cones::Robust | Cones::Quadrant(_) => {
+                    // What is looked for in f32 may be some roundings steeper.
+                    let code =
+                        |roundings: f64| SLOPE.up(slope / built.unit * (1.0 + 1.0 / 16384.0) * (1.0 + roundings));
+                    assert!((code(0.0)..=code(1e-6)).contains(&found), "{what}: {found} for {}", code(0.0));
+                }
+            }
             assert!(built.slope(x, y) >= slope, "{cones:?}: wider than it is");
         }
     }
@@ -149,7 +152,8 @@ fn far_away_square_cones_are_never_less_steep_and_hardly_steeper() {
             let slope = if away > 0 { 65535.0 / away as f64 } else { 0.0 };
             let found = built.slope(x, y);
             let most = match (cones, slope > 0.0) {
-                (Cones::Robust, true) => slope * 1.15,
+                // 36 texels counted as 31.5, and a part of a node nearer where the map wraps.
+                (Cones::Robust, true) => slope * 1.2,
                 (Cones::Robust, false) => 2.0_f64.powi(-14),
                 // What lies in the same node, but behind the cell, counts as well.
                 _ => f64::MAX,

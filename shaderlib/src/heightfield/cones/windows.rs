@@ -1,39 +1,56 @@
 //! Maxima of squares that begin at each place of a grid, and grow.
 
+use std::ops::Range;
+
+use super::mirror::Mirror;
 use crate::heightfield::pyramid::Level;
 
-/// A band of rows of such maxima.
+/// A band of rows of such maxima, and what squares reach around it.
 pub(super) struct Windows {
     columns: usize,
+    /// Places before the first one of a row and before the first row.
+    around: usize,
     /// Of the square that is reached, each from one row and column on.
     values: Vec<f32>,
 }
 
 impl Windows {
-    /// Squares of one place, from a row on: so many rows, for squares that grow so many times. What lies beyond the last column
-    /// and row is the first again, or nothing.
-    pub(super) fn new(level: &Level<f32>, wrap: bool, from: usize, rows: usize, reach: usize) -> Self {
+    /// Squares of one place: of so many rows from one on, and of so many places around them. What lies beyond the border is
+    /// the map again, or nothing.
+    pub(super) fn new(level: &Level<f32>, wrap: bool, rows: Range<usize>, around: usize) -> Self {
         let [width, height] = level.size.map(|side| side as usize);
-        let columns = width + reach;
-        let mut values = Vec::with_capacity(columns * (rows + reach));
-        for y in from..from + rows + reach {
-            let row = if wrap { Some(y % height) } else { Some(y).filter(|y| *y < height) };
-            let end = values.len() + columns;
-            if let Some(row) = row {
-                let row = &level.values[row * width..][..width];
-                values.extend_from_slice(row);
-                while wrap && values.len() < end {
-                    values.extend_from_slice(&row[..width.min(end - values.len())]);
-                }
-            }
-            values.resize(end, f32::NEG_INFINITY);
+        let columns = width + 2 * around;
+        let mut values = Vec::with_capacity(columns * (rows.len() + 2 * around));
+        let inside = |at: usize, side: usize| match at.checked_sub(around) {
+            Some(at) if at < side => Some(at),
+            _ => wrap.then(|| (at + around * (side - 1)) % side),
+        };
+        for y in rows.start..rows.end + 2 * around {
+            let Some(y) = inside(y, height) else {
+                values.resize(values.len() + columns, f32::NEG_INFINITY);
+                continue;
+            };
+            let row = &level.values[y * width..][..width];
+            let beside = |x: usize| inside(x, width).map_or(f32::NEG_INFINITY, |x| row[x]);
+            values.extend((0..around).map(beside));
+            values.extend_from_slice(row);
+            values.extend((around + width..columns).map(beside));
         }
-        Self { columns, values }
+        Self { columns, around, values }
     }
 
-    /// A row of the band.
-    pub(super) fn row(&self, y: usize) -> &[f32] {
-        &self.values[y * self.columns..][..self.columns]
+    /// The squares that begin in a row of the band, so many places before each of its own, to that side and up.
+    pub(super) fn row(&self, y: usize, before: [usize; 2]) -> &[f32] {
+        let [left, up] = before.map(|before| self.around - before);
+        &self.values[(y + up) * self.columns + left..][..self.columns - left]
+    }
+
+    /// Of the squares of one place those that are so far away from the cells of a row, toward a quadrant: before the first
+    /// corner of a cell, or behind its last.
+    pub(super) fn corner(&self, y: usize, mirror: Mirror, away: [usize; 2]) -> &[f32] {
+        let at = |axis: usize| if mirror[axis] { self.around - away[axis] } else { self.around + 1 + away[axis] };
+        let [left, up] = [at(0), at(1)];
+        &self.values[(y + up) * self.columns + left..][..self.columns - left]
     }
 
     /// The squares, a column and a row larger. Of the rows the last is gone.
@@ -81,13 +98,17 @@ mod tests {
     fn squares_hold_their_largest_value() {
         let level = Level { size: [5, 4], values: (0..20).map(|at| (at * 7 % 20) as f32).collect() };
         for wrap in [false, true] {
-            let mut windows = Windows::new(&level, wrap, 1, 2, 3);
-            for reach in 0..=3 {
-                for (x, y) in (0..2).flat_map(|y| (0..5).map(move |x| (x, y))) {
-                    let all = (0..=reach).flat_map(|j| (0..=reach).map(move |i| (x + i, y + 1 + j)));
-                    let seen = all.filter(|(i, j)| wrap || *i < 5 && *j < 4);
-                    let most = seen.map(|(i, j)| level.at(i % 5, j % 4)).fold(f32::MIN, f32::max);
-                    assert_eq!(windows.row(y as usize)[x as usize], most, "{wrap} {reach} {x} {y}");
+            let mut windows = Windows::new(&level, wrap, 1..3, 7);
+            for reach in 0..=7 {
+                let places = (0..2).flat_map(|y| (0..5).map(move |x| (x, y)));
+                for ((x, y), [left, up]) in places.flat_map(|at| [[0, 0], [7, 0], [2, 5]].map(|before| (at, before))) {
+                    let [from_x, from_y] = [x - left, y + 1 - up];
+                    let all = (from_y..=from_y + reach).flat_map(|j| (from_x..=from_x + reach).map(move |i| (i, j)));
+                    let seen = all.filter(|(i, j)| wrap || (0..5).contains(i) && (0..4).contains(j));
+                    let value = |(i, j): (i32, i32)| level.at(i.rem_euclid(5) as u32, j.rem_euclid(4) as u32);
+                    let most = seen.map(value).fold(f32::NEG_INFINITY, f32::max);
+                    let found = windows.row(y as usize, [left as usize, up as usize])[x as usize];
+                    assert_eq!(found, most, "{wrap} {reach} {x} {y} {left} {up}");
                 }
                 windows.grow();
             }
