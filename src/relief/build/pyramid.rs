@@ -77,7 +77,8 @@ impl<'a> BuiltPyramid<'a> {
     }
 
     fn levels<T: bytemuck::Pod>(&self) -> Result<Vec<pyramid::Level<T>>, RenderError> {
-        let level = |level: Level<'_>| Ok(pyramid::Level { size: level.size, values: read::texels(self.gpu, level)? });
-        self.quadtrees.levels(0).map(level).collect()
+        let levels: Vec<Level<'_>> = self.quadtrees.levels(0).collect();
+        let values = read::texels(self.gpu, &levels)?;
+        Ok(levels.iter().zip(values).map(|(level, values)| pyramid::Level { size: level.size, values }).collect())
     }
 }
