@@ -13,7 +13,7 @@ use crate::render::{Gpu, RenderError};
 
 /// The levels of [`terrane_shaderlib::heightfield::pyramid::Pyramid`] as the mips of one texture, equal to the last bit.
 ///
-/// A level whose sides are no powers of two stands in the first columns and rows of its mip; what is behind it means nothing.
+/// What bounds the surface from both sides is one of [`Bound::CellMax`] and one of [`Bound::CellMin`]. A level whose sides are no powers of two stands in the first columns and rows of its mip; what is behind it means nothing.
 /// Texels are those of the map, of floats the bits in whole numbers: no device rounds those.
 #[derive(Debug)]
 pub struct BuiltPyramid<'a> {

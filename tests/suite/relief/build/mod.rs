@@ -39,13 +39,13 @@ fn equal(built: &Built<'_>, textures: &[MapTexture], heights: &Heights, what: &s
     }
 }
 
-/// The first texels in which device and host differ: mip, column and row, device, host.
-fn differences(device: &Plane, host: &Plane) -> Vec<(usize, [u32; 2], [u32; 4], [u32; 4])> {
+/// The first texels in which device and host differ: mip, column and row, and of each what a shader loads there.
+fn differences(device: &Plane, host: &Plane) -> Vec<String> {
     let [width, height] = host.size;
     let rows = (0..host.mips()).flat_map(|mip| (0..height).map(move |y| (mip, y)));
     let texels = rows.flat_map(|(mip, y)| (0..width).map(move |x| (mip, [x, y])));
-    let both = texels.filter_map(|(mip, at)| Some((mip, at, device.texel(mip, at)?, host.texel(mip, at)?)));
-    both.filter(|(_, _, device, host)| device != host).take(8).collect()
+    let differ = texels.filter(|(mip, at)| device.texel(*mip, *at) != host.texel(*mip, *at)).take(8);
+    differ.map(|(mip, at)| format!("{mip} {at:?}: {:?} {:?}", device.texel(mip, at), host.texel(mip, at))).collect()
 }
 
 /// A long map, and one that is filled up on one axis alone, besides the adversary's.
@@ -78,6 +78,10 @@ fn each_texture_is_built_alone_and_in_any_order() {
     for textures in ALL.chunks(1).chain([&reversed[..], &[]]) {
         let built = Built::new(&gpu, &heights, textures).expect("the device takes it");
         equal(&built, textures, &heights, "alone or reversed");
+        for (texture, built) in textures.iter().zip(built.textures()) {
+            let stored = built.usage().contains(wgpu::TextureUsages::STORAGE_BINDING);
+            assert_eq!(stored, texture.is_storage(), "{texture:?} is bound as shaders read it");
+        }
     }
 }
 
