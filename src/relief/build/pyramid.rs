@@ -13,8 +13,9 @@ use crate::render::{Gpu, RenderError};
 
 /// The levels of [`terrane_shaderlib::heightfield::pyramid::Pyramid`] as the mips of one texture, equal to the last bit.
 ///
-/// What bounds the surface from both sides is one of [`Bound::CellMax`] and one of [`Bound::CellMin`]. A level whose sides are no powers of two stands in the first columns and rows of its mip; what is behind it means nothing.
-/// Texels are those of the map, of floats the bits in whole numbers: no device rounds those.
+/// What bounds the surface from both sides is one of [`Bound::CellMax`] and one of [`Bound::CellMin`]. A level whose sides are no
+/// powers of two stands in the first columns and rows of its mip; what is behind it means nothing. Texels are those of the map, of
+/// floats the bits in whole numbers: no device rounds those.
 #[derive(Debug)]
 pub struct BuiltPyramid<'a> {
     gpu: &'a Gpu,
