@@ -48,8 +48,8 @@ fn differences(device: &Plane, host: &Plane) -> Vec<String> {
     differ.map(|(mip, at)| format!("{mip} {at:?}: {:?} {:?}", device.texel(mip, at), host.texel(mip, at))).collect()
 }
 
-/// A long map, and one that is filled up on one axis alone, besides the adversary's.
-const SIDES: [[u32; 2]; 2] = [[256, 2], [64, 65]];
+/// A long map, one that is filled up on one axis alone, and one whose wide nodes take several rows, besides the adversary's.
+const SIDES: [[u32; 2]; 3] = [[256, 2], [64, 65], [256, 128]];
 
 fn sizes() -> impl Iterator<Item = ([u32; 2], Border)> {
     let sizes = SIZES.into_iter().chain(SIDES);
