@@ -65,9 +65,15 @@ pub const WGPU_DEPTH: &[SourceFile] = &[host!("wgpu/depth.wgsl")];
 /// The renderer's own: from radiance to a picture. Entry points `resolve_vertex` and `resolve_fragment`.
 pub const WGPU_RESOLVE: &[SourceFile] = &[host!("wgpu/resolve.wgsl")];
 
-/// Relief's own: bounds and mips of a height map, made on the device. Entry points `build_vertex`, and `build_fill`, `build_mip`,
-/// `build_cells` and `build_nodes` for one level each.
-pub const WGPU_RELIEF_BUILD: &[SourceFile] = &[host!("relief/build.wgsl")];
+/// Relief's own: mips and bounds of a height map, made on the device. Entry points `build_vertex`, and for one level each
+/// `build_fill` and `build_mip`, `build_cells` and `build_nodes`, `build_same`, `build_patches` and `build_wide`.
+pub const WGPU_RELIEF_BUILD: &[SourceFile] = &[
+    host!("relief/build.wgsl"),
+    host!("relief/build_mips.wgsl"),
+    host!("relief/build_pyramid.wgsl"),
+    host!("relief/build_patches.wgsl"),
+    host!("relief/build_wide.wgsl"),
+];
 
 /// The texts of a host, for materials without relief and with.
 #[derive(Clone, Debug, PartialEq, Eq)]

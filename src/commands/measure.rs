@@ -58,8 +58,8 @@ pub(crate) struct Measure {
     /// Recommend what no hit is farther off, for the least time
     #[arg(long, value_name = "TEXELS", value_parser = max_error, conflicts_with = "pyramids")]
     max_error: Option<f64>,
-    /// Report bytes and build times of bounds instead, on all cores
-    #[arg(long, conflicts_with_all = ["methods", "depths", "elevations", "size", "adapter"])]
+    /// Report bytes and build times of bounds instead, on all cores and on the device if there is one
+    #[arg(long, conflicts_with_all = ["methods", "depths", "elevations", "size"])]
     pyramids: bool,
     /// Comma-separated values with every digit, to this file, and plots beside it
     #[arg(short, long, value_name = "CSV")]
@@ -67,7 +67,7 @@ pub(crate) struct Measure {
     /// Trace so many rays that are made to make exact methods fail, over as many small maps, and report every fault
     #[arg(long, value_name = "RAYS", conflicts_with_all = ["heightmap", "output", "pyramids"])]
     adversary: Option<u64>,
-    /// The device to trace on: its number, or a part of its name
+    /// The device to trace or to build on: its number, or a part of its name
     #[arg(long, value_name = "NAME")]
     adapter: Option<String>,
 }
@@ -168,9 +168,15 @@ impl Measure {
 
     fn report_pyramids(&self) -> Result<(), Failure> {
         let own = self.heightmap.as_ref().map(|_| self.own()).transpose()?;
+        let gpu = match &self.adapter {
+            Some(name) => Some(Gpu::measuring(&Selection::parse(name))?),
+            // What the host builds needs none.
+            None => Gpu::measuring(&Selection::Best).ok(),
+        };
+        eprintln!("device: {}", gpu.as_ref().map_or("none", Gpu::name));
         let mut all = Vec::new();
         for subject in self.subjects(own) {
-            all.extend(pyramids(&subject, self.rounds).map_err(|error| Failure::Usage(error.to_string()))?);
+            all.extend(pyramids(&subject, self.rounds, gpu.as_ref())?);
         }
         print!("{}", pyramids_table(&all));
         match &self.output {

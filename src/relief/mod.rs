@@ -4,7 +4,7 @@
 //! Heights --Placed--> textures      the map and its bounds: `terrane_shaderlib::relief`
 //! Segment --Setup---> DeviceRay     cut to where the ground can be, in f32 from a whole cell
 //! Method  --Tracer--> Traced        WGSL of the library around one entry point
-//! Heights --Built---> textures      the same as `Placed`, made on the device
+//! Heights --Built---> textures      the same as `planes`, made on the device; `BuiltPyramid` is the same as `Pyramid`
 //! points  --Lighter--> Seen         the same for shadow and occlusion
 //! ```
 
@@ -18,7 +18,7 @@ mod shader;
 pub(crate) mod texture;
 mod tracer;
 
-pub use build::Built;
+pub use build::{Built, BuiltPyramid};
 pub use clock::Timing;
 pub use lighting::{LIFT, Lighter, Lighting, Scene, Seen, Turn};
 pub use map::{bytes, map};

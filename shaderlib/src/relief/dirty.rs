@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::atlas;
+use super::{atlas, patches};
 use crate::heightfield::{Border, Heights};
 
 /// Columns and rows.
@@ -32,6 +32,13 @@ impl Extent {
         let filled = last.map(|last| (last + 1).next_power_of_two());
         let mips = if wraps && !tiled { filled[0].min(filled[1]).ilog2() + 1 } else { 1 };
         Self { size, last, filled, mips }
+    }
+
+    /// Of any map that tiles and whose sides are powers of two.
+    #[must_use]
+    pub fn tiling(map: [u32; 2]) -> Self {
+        let mips = map[0].min(map[1]).max(1).ilog2() + 1;
+        Self { size: map, last: map.map(|side| side.saturating_sub(1)), filled: map, mips }
     }
 
     /// Whether rays are cut at the borders of tiles.
@@ -79,6 +86,12 @@ impl Extent {
     #[must_use]
     pub fn place(&self, mip: u32, level: u32) -> [u32; 2] {
         atlas::place(atlas::corner(self.filled, mip), level as usize)
+    }
+
+    /// Where the first patch of a mip stands in the image of all patches.
+    #[must_use]
+    pub fn patches(&self, mip: u32) -> [u32; 2] {
+        patches::corner(self.filled, mip)
     }
 
     fn texels_along(&self, axis: usize, range: &Range<u32>) -> Vec<Range<u32>> {

@@ -25,5 +25,5 @@ pub use field::Field;
 pub use method::Method;
 pub use placed::{Bounds, Placed, Unplaceable, planes};
 pub use plane::{Plane, Words};
-pub use strip::wide_corners;
+pub use strip::{wide_corners, wide_places};
 pub use texture::MapTexture;

@@ -1,5 +1,6 @@
 //! One image for the wide pyramids of all mips of a map: a strip of nodes, broken into rows.
 
+use super::Extent;
 use crate::heightfield::pyramid::{CHILDREN, Wide};
 
 /// Nodes in a row of the image, and its columns.
@@ -12,20 +13,29 @@ pub(super) fn counts(size: [u32; 2]) -> Vec<usize> {
     (1..=top).map(|level| width.div_ceil(1 << (2 * level)) * height.div_ceil(1 << (2 * level))).collect()
 }
 
-/// The same of all mips of a map that tiles.
-fn all_counts(map: [u32; 2]) -> Vec<Vec<usize>> {
-    (0..=map[0].min(map[1]).ilog2()).map(|mip| counts(map.map(|side| side >> mip))).collect()
+/// The same of all mips of a map.
+fn all_counts(extent: &Extent) -> Vec<Vec<usize>> {
+    (0..extent.mips).map(|mip| counts(extent.filled.map(|side| side >> mip))).collect()
 }
 
 /// Where the nodes of each mip of a map that tiles begin, in the texture of wide bounds; its sides are powers of two.
 #[must_use]
 pub fn wide_corners(map: [u32; 2]) -> Vec<usize> {
-    corners(&all_counts(map))
+    corners(&all_counts(&Extent::tiling(map)))
 }
 
-/// Columns and rows of the texture over all mips of such a map.
-pub(super) fn size(map: [u32; 2]) -> [u32; 2] {
-    let counts = all_counts(map);
+/// Where the nodes of each level of each mip of a map begin, in the texture of wide bounds, the finest level first: nodes are
+/// counted along the texture's rows.
+#[must_use]
+pub fn wide_places(extent: &Extent) -> Vec<Vec<usize>> {
+    let counts = all_counts(extent);
+    let places = |(first, levels): (usize, &Vec<usize>)| (1..=levels.len()).map(|level| place(first, level)).collect();
+    corners(&counts).into_iter().zip(&counts).map(places).collect()
+}
+
+/// Columns and rows of the texture over all mips of a map.
+pub(super) fn size(extent: &Extent) -> [u32; 2] {
+    let counts = all_counts(extent);
     let ends = corners(&counts).into_iter().zip(&counts).map(|(first, levels)| first + levels[0]);
     [COLUMNS as u32, ends.max().unwrap_or(0).div_ceil(COLUMNS) as u32]
 }
@@ -93,7 +103,7 @@ mod tests {
     fn no_two_levels_share_a_texel() {
         let sizes = (0..14).flat_map(|x| (0..14).map(move |y| [1_u32 << x, 1 << y]));
         for size in sizes {
-            let mips = all_counts(size);
+            let mips = all_counts(&Extent::tiling(size));
             let mut spans = spans(&mips, &corners(&mips));
             assert_eq!(spans.len(), mips.iter().map(Vec::len).sum::<usize>());
             spans.sort_unstable();
@@ -110,7 +120,7 @@ mod tests {
                 let end = spans(mips, &corners(mips)).iter().map(|span| span[1]).max().expect("there are levels");
                 (end.next_multiple_of(COLUMNS) * 16) as f64 / (side * side) as f64
             };
-            let mips = all_counts([side; 2]);
+            let mips = all_counts(&Extent::tiling([side; 2]));
             assert!(bytes(&mips[..1]) <= 1.1, "{side}: {}", bytes(&mips[..1]));
             assert!(bytes(&mips) <= 1.5, "{side}: {}", bytes(&mips));
         }

@@ -1,6 +1,6 @@
 //! The textures of height maps that methods and lights read.
 
-use super::{Bounds, Method, atlas, patches, strip};
+use super::{Bounds, Extent, Method, patches, strip};
 
 /// A texture over height maps of one size, a layer for each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -64,20 +64,32 @@ impl MapTexture {
     /// Columns and rows of its first mip, over maps that tile and whose sides are powers of two.
     #[must_use]
     pub fn size(self, map: [u32; 2]) -> [u32; 2] {
-        match self {
-            Self::Heights | Self::Bounds(Bounds::Cones(_) | Bounds::Quadrants) => map,
-            Self::Patches => patches::size(map, levels(map) > 1),
-            Self::Bounds(Bounds::None) => [1, 1],
-            Self::Bounds(Bounds::CellMax | Bounds::TexelMax | Bounds::Patches) => atlas::size(map),
-            Self::Bounds(Bounds::Wide) => strip::size(map),
-        }
+        self.size_over(&Extent::tiling(map))
     }
 
     /// Its mips, over such maps.
     #[must_use]
     pub fn mips(self, map: [u32; 2]) -> u32 {
+        self.mips_over(&Extent::tiling(map))
+    }
+
+    /// Columns and rows of its first mip, over any map.
+    #[must_use]
+    pub fn size_over(self, extent: &Extent) -> [u32; 2] {
         match self {
-            Self::Heights | Self::Bounds(Bounds::Cones(_) | Bounds::Quadrants) => levels(map),
+            Self::Heights | Self::Bounds(Bounds::Cones(_) | Bounds::Quadrants) => extent.filled,
+            Self::Patches => patches::size(extent.filled, extent.mips > 1),
+            Self::Bounds(Bounds::None) => [1, 1],
+            Self::Bounds(Bounds::CellMax | Bounds::TexelMax | Bounds::Patches) => extent.image(),
+            Self::Bounds(Bounds::Wide) => strip::size(extent),
+        }
+    }
+
+    /// Its mips, over any map.
+    #[must_use]
+    pub fn mips_over(self, extent: &Extent) -> u32 {
+        match self {
+            Self::Heights | Self::Bounds(Bounds::Cones(_) | Bounds::Quadrants) => extent.mips,
             _ => 1,
         }
     }
@@ -90,11 +102,6 @@ impl MapTexture {
             Self::Bounds(bounds) => bounds,
         }
     }
-}
-
-/// Mips of a map that tiles: down to a side of 1.
-fn levels([width, height]: [u32; 2]) -> u32 {
-    width.min(height).max(1).ilog2() + 1
 }
 
 impl Method {

@@ -1,73 +1,128 @@
 //! Passes that draw one level of whole numbers from another.
 
+use bytemuck::{Pod, Zeroable};
 use terrane_shaderlib::hosts;
 use terrane_shaderlib::relief::Region;
+use wgpu::util::{BufferInitDescriptor, DeviceExt as _};
 
+use super::level::Level;
 use crate::render::{Gpu, RenderError};
 
-/// What a pass makes.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Pass {
-    /// The first mip from the map.
-    Fill,
-    /// A mip from the one before it.
-    Mip,
-    /// Bounds of cells from a mip.
-    Cells,
-    /// Bounds of nodes from those of their children.
-    Nodes,
-}
-
-/// A pipeline for each of them.
+/// What every pass is made of.
 #[derive(Debug)]
-pub(super) struct Passes {
-    layout: wgpu::BindGroupLayout,
-    pipelines: [wgpu::RenderPipeline; 4],
+pub(super) struct Passes<'a> {
+    pub(super) gpu: &'a Gpu,
+    source: wgpu::BindGroupLayout,
+    layout: wgpu::PipelineLayout,
+    module: wgpu::ShaderModule,
 }
 
-impl Passes {
-    /// Compiles them. Of a map that is traced tile by tile the first texels stand again at its end.
-    pub(super) fn new(gpu: &Gpu, tiled: bool) -> Result<Self, RenderError> {
+/// Where a pass draws: `BuildPart` of `hosts/relief/build.wgsl`, but for the size of the source.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Part {
+    pub(super) corner: [u32; 2],
+    pub(super) first: [u32; 2],
+    pub(super) behind: [u32; 2],
+}
+
+#[repr(C)]
+#[derive(Clone, Copy, Pod, Zeroable)]
+struct DevicePart {
+    size: [u32; 2],
+    corner: [u32; 2],
+    first: [u32; 2],
+    behind: [u32; 2],
+}
+
+/// One of them, for targets of one format.
+#[derive(Debug)]
+pub(super) struct Pass {
+    device: wgpu::Device,
+    source: wgpu::BindGroupLayout,
+    pipeline: wgpu::RenderPipeline,
+}
+
+impl<'a> Passes<'a> {
+    /// Parses their text.
+    pub(super) fn new(gpu: &'a Gpu) -> Result<Self, RenderError> {
         gpu.checked("relief's passes", || {
-            let layout = gpu.device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+            let source = gpu.device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
                 label: Some("relief's source"),
-                entries: &[wgpu::BindGroupLayoutEntry {
-                    binding: 0,
-                    visibility: wgpu::ShaderStages::FRAGMENT,
-                    ty: wgpu::BindingType::Texture {
-                        sample_type: wgpu::TextureSampleType::Uint,
-                        view_dimension: wgpu::TextureViewDimension::D2,
-                        multisampled: false,
-                    },
-                    count: None,
-                }],
+                entries: &ENTRIES,
+            });
+            let layout = gpu.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+                label: Some("relief's passes"),
+                bind_group_layouts: &[Some(&source)],
+                ..Default::default()
             });
             let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
                 label: Some("relief's passes"),
                 source: wgpu::ShaderSource::Wgsl(hosts::join(hosts::WGPU_RELIEF_BUILD).into()),
             });
-            let entries = ["build_fill", "build_mip", "build_cells", "build_nodes"];
-            let pipelines = entries.map(|entry| pipeline(gpu, &layout, &module, entry, tiled));
-            Self { layout, pipelines }
+            Self { gpu, source, layout, module }
         })
     }
 
-    /// Draws regions of one level from another.
-    pub(super) fn draw(
+    /// Compiles the pass of an entry point with its constants.
+    pub(super) fn pass(&self, entry: &str, format: wgpu::TextureFormat, constants: &[(&str, f64)]) -> Pass {
+        let device = self.gpu.device.clone();
+        let pipeline = device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+            label: Some(entry),
+            layout: Some(&self.layout),
+            vertex: wgpu::VertexState {
+                module: &self.module,
+                entry_point: Some("build_vertex"),
+                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                buffers: &[],
+            },
+            primitive: wgpu::PrimitiveState::default(),
+            depth_stencil: None,
+            multisample: wgpu::MultisampleState::default(),
+            fragment: Some(wgpu::FragmentState {
+                module: &self.module,
+                entry_point: Some(entry),
+                compilation_options: wgpu::PipelineCompilationOptions { constants, ..Default::default() },
+                targets: &[Some(format.into())],
+            }),
+            multiview_mask: None,
+            cache: None,
+        });
+        Pass { device, source: self.source.clone(), pipeline }
+    }
+}
+
+impl Pass {
+    /// Draws regions of one level from another, which begins where its texture does.
+    pub(super) fn draw(&self, encoder: &mut wgpu::CommandEncoder, from: Level<'_>, to: Level<'_>, regions: &[Region]) {
+        self.draw_part(encoder, [from, to], Part::default(), regions);
+    }
+
+    /// The same for a level that begins elsewhere.
+    pub(super) fn draw_at(
         &self,
-        gpu: &Gpu,
         encoder: &mut wgpu::CommandEncoder,
-        pass: Pass,
-        [from, to]: [wgpu::TextureView; 2],
+        [from, to]: [Level<'_>; 2],
+        corner: [u32; 2],
         regions: &[Region],
     ) {
-        let group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("relief's source"),
-            layout: &self.layout,
-            entries: &[wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(&from) }],
-        });
+        let moved =
+            |[x, y]: &Region| [(x, corner[0]), (y, corner[1])].map(|(range, by)| range.start + by..range.end + by);
+        let regions: Vec<Region> = regions.iter().map(moved).collect();
+        self.draw_part(encoder, [from, to], Part { corner, ..Part::default() }, &regions);
+    }
+
+    /// Draws regions of a texture.
+    pub(super) fn draw_part(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        [from, to]: [Level<'_>; 2],
+        part: Part,
+        regions: &[Region],
+    ) {
+        let group = self.bind(from, part);
+        let view = to.view();
         let target = wgpu::RenderPassColorAttachment {
-            view: &to,
+            view: &view,
             depth_slice: None,
             resolve_target: None,
             ops: wgpu::Operations { load: wgpu::LoadOp::Load, store: wgpu::StoreOp::Store },
@@ -77,48 +132,43 @@ impl Passes {
             color_attachments: &[Some(target)],
             ..Default::default()
         });
-        drawn.set_pipeline(&self.pipelines[pass as usize]);
+        drawn.set_pipeline(&self.pipeline);
         drawn.set_bind_group(0, &group, &[]);
         for [x, y] in regions {
             drawn.set_scissor_rect(x.start, y.start, x.end - x.start, y.end - y.start);
             drawn.draw(0..3, 0..1);
         }
     }
+
+    fn bind(&self, from: Level<'_>, Part { corner, first, behind }: Part) -> wgpu::BindGroup {
+        let part = self.device.create_buffer_init(&BufferInitDescriptor {
+            label: Some("relief's part"),
+            contents: bytemuck::bytes_of(&DevicePart { size: from.size, corner, first, behind }),
+            usage: wgpu::BufferUsages::UNIFORM,
+        });
+        let view = from.view();
+        self.device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("relief's source"),
+            layout: &self.source,
+            entries: &[
+                wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(&view) },
+                wgpu::BindGroupEntry { binding: 1, resource: part.as_entire_binding() },
+            ],
+        })
+    }
 }
 
-fn pipeline(
-    gpu: &Gpu,
-    layout: &wgpu::BindGroupLayout,
-    module: &wgpu::ShaderModule,
-    entry: &str,
-    tiled: bool,
-) -> wgpu::RenderPipeline {
-    let layout = gpu.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-        label: Some("relief's passes"),
-        bind_group_layouts: &[Some(layout)],
-        ..Default::default()
-    });
-    let seam = [("build_seam", f64::from(u8::from(tiled)))];
-    let constants = if entry == "build_fill" { &seam[..] } else { &[] };
-    gpu.device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-        label: Some(entry),
-        layout: Some(&layout),
-        vertex: wgpu::VertexState {
-            module,
-            entry_point: Some("build_vertex"),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            buffers: &[],
-        },
-        primitive: wgpu::PrimitiveState::default(),
-        depth_stencil: None,
-        multisample: wgpu::MultisampleState::default(),
-        fragment: Some(wgpu::FragmentState {
-            module,
-            entry_point: Some(entry),
-            compilation_options: wgpu::PipelineCompilationOptions { constants, ..Default::default() },
-            targets: &[Some(wgpu::TextureFormat::R16Uint.into())],
-        }),
-        multiview_mask: None,
-        cache: None,
-    })
+const ENTRIES: [wgpu::BindGroupLayoutEntry; 2] = [
+    entry(0, {
+        let view_dimension = wgpu::TextureViewDimension::D2;
+        wgpu::BindingType::Texture { sample_type: wgpu::TextureSampleType::Uint, view_dimension, multisampled: false }
+    }),
+    entry(1, {
+        let min_binding_size = None;
+        wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Uniform, has_dynamic_offset: false, min_binding_size }
+    }),
+];
+
+const fn entry(binding: u32, ty: wgpu::BindingType) -> wgpu::BindGroupLayoutEntry {
+    wgpu::BindGroupLayoutEntry { binding, visibility: wgpu::ShaderStages::FRAGMENT, ty, count: None }
 }

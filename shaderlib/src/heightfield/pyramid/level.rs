@@ -42,16 +42,3 @@ impl<T: Copy> Level<T> {
         self.size.map(|side| 0..side)
     }
 }
-
-/// The regions of cells that touch a rectangle of texels, `first..end` on each axis: one more to the left and above, which
-/// a wrapped map has at the far end.
-pub(super) fn touched(texels: Region, cells: [u32; 2], wrap: bool) -> Vec<Region> {
-    let [columns, rows] = [0, 1].map(|axis| {
-        let (first, end) = (texels[axis].start, texels[axis].end.min(cells[axis]));
-        let near = first.saturating_sub(1).min(cells[axis] - 1)..end.max(1);
-        let far = (first == 0 && wrap).then(|| cells[axis] - 1..cells[axis]);
-        [Some(near), far].into_iter().flatten().collect::<Vec<_>>()
-    });
-    let pairs = columns.iter().flat_map(|x| rows.iter().map(move |y| [x.clone(), y.clone()]));
-    pairs.collect()
-}

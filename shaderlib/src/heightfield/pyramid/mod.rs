@@ -3,31 +3,19 @@
 //! Level 0 is the finest; a node of level k + 1 is two by two nodes of level k, or what there is of them at the border.
 
 mod bands;
+mod bound;
 mod level;
 mod reduce;
 mod wide;
 
 use std::ops::Range;
 
-use self::level::touched;
 use self::reduce::{Extreme, Height, Max, Min, cell_row, cells, nodes};
-use super::heights::{Border, Heights, Texels};
+use super::heights::{Heights, Texels};
 
+pub use self::bound::Bound;
 pub use self::level::Level;
 pub use self::wide::{CHILDREN, Wide};
-
-/// What the finest level bounds, and how.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Bound {
-    /// The largest texel of a node. Source: Drobot, "Quadtree Displacement Mapping with Height Blending", GPU Pro 1, 2010,
-    /// section 1.4.1. No bound of the bilinear surface: that leaves a texel's square through the neighbours' heights.
-    TexelMax,
-    /// The largest height of the surface. Source: Tevs, Ihrke and Seidel, "Maximum Mipmaps for Fast, Accurate, and Scalable
-    /// Dynamic Height Field Rendering", I3D 2008, section 3: level 0 is the largest of a cell's four corners.
-    CellMax,
-    /// The smallest height of the surface, for materials that hide each other.
-    CellMin,
-}
 
 /// All levels, the finest first; the coarsest is one node.
 #[derive(Clone, Debug, PartialEq)]
@@ -113,7 +101,7 @@ impl Pyramid {
 
 /// A quadtree of maxima over any values, the finest level first.
 pub(super) fn maxima(finest: Level<f32>) -> Vec<Level<f32>> {
-    let sizes = sizes(finest.size).skip(1);
+    let sizes = level_sizes(finest.size).skip(1);
     let coarser: Vec<_> = sizes.map(Level::blank).collect();
     let region = finest.whole();
     let mut levels: Vec<_> = std::iter::once(finest).chain(coarser).collect();
@@ -121,16 +109,15 @@ pub(super) fn maxima(finest: Level<f32>) -> Vec<Level<f32>> {
     levels
 }
 
-/// Columns and rows of every level over a finest one.
-fn sizes(finest: [u32; 2]) -> impl Iterator<Item = [u32; 2]> {
+/// Columns and rows of every level over a finest one, and of that itself first.
+pub fn level_sizes(finest: [u32; 2]) -> impl Iterator<Item = [u32; 2]> {
     std::iter::successors(Some(finest), |size| (size[0] > 1 || size[1] > 1).then(|| size.map(|side| side.div_ceil(2))))
 }
 
 fn build<T: Height>(heights: &Heights, values: &[T], bound: Bound) -> Vec<Level<T>> {
     let size = heights.size();
     let width = size[0] as usize;
-    let finest = if bound == Bound::TexelMax { size } else { heights.cells() };
-    let mut levels: Vec<Level<T>> = sizes(finest).map(Level::blank).collect();
+    let mut levels: Vec<Level<T>> = level_sizes(bound.nodes(heights)).map(Level::blank).collect();
     match bound {
         Bound::TexelMax => bands::build::<Max, T>(&mut levels, |y, row| {
             row.copy_from_slice(&values[y as usize * width..][..width]);
@@ -145,12 +132,7 @@ fn change<T: Height>(levels: &mut [Level<T>], heights: &Heights, values: &[T], b
     if texels.iter().any(Range::is_empty) {
         return;
     }
-    let wrap = heights.border() == Border::Wrap;
-    let regions = match bound {
-        Bound::TexelMax => vec![texels],
-        Bound::CellMax | Bound::CellMin => touched(texels, levels[0].size, wrap),
-    };
-    for region in regions {
+    for region in bound.touched(heights, texels) {
         fill(levels, heights, values, bound, region);
     }
 }

@@ -1,0 +1,102 @@
+//! The textures that shaders read: of each mip of a map what is drawn, where it belongs.
+
+use terrane_shaderlib::heightfield::pyramid::Bound;
+use terrane_shaderlib::relief::{Bounds, Extent, MapTexture, Region};
+
+use super::level::{Level, texture};
+use super::mips::Mips;
+use super::passes::{Pass, Passes};
+use super::quadtrees::Drawn;
+use super::strip::Strip;
+
+/// One of them.
+#[derive(Debug)]
+pub(super) struct Image {
+    pub(super) texture: wgpu::Texture,
+    drawing: Drawing,
+}
+
+/// What is drawn of a mip.
+#[derive(Debug)]
+enum Drawing {
+    /// Nothing: it is the texture of the heights, or that of no bounds.
+    Nothing,
+    /// The four heights of each cell.
+    Patches(Pass),
+    /// Every level of the quadtree of a bound.
+    Quadtrees(Bound, Pass),
+    /// Nodes over every second level of the quadtree of cells.
+    Wide(Strip),
+}
+
+/// What has been drawn of a mip.
+pub(super) struct Change<'t> {
+    pub(super) mip: u32,
+    pub(super) heights: Level<'t>,
+    /// The cells whose surface may be another.
+    pub(super) cells: Vec<Region>,
+    /// Every quadtree over it.
+    pub(super) quadtrees: Vec<(Bound, Vec<Drawn<'t>>)>,
+}
+
+/// The pyramid that a texture is drawn from; `None` for one that is drawn from heights alone.
+pub(super) fn bound(texture: MapTexture) -> Option<Bound> {
+    match texture {
+        MapTexture::Bounds(Bounds::CellMax | Bounds::Patches | Bounds::Wide) => Some(Bound::CellMax),
+        MapTexture::Bounds(Bounds::TexelMax) => Some(Bound::TexelMax),
+        _ => None,
+    }
+}
+
+impl Image {
+    /// Room for one of a map.
+    pub(super) fn new(passes: &Passes<'_>, extent: &Extent, mips: &Mips, wanted: MapTexture) -> Self {
+        if wanted == MapTexture::Heights {
+            return Self { texture: mips.texture.clone(), drawing: Drawing::Nothing };
+        }
+        let format = format(wanted);
+        let drawing = match (wanted, bound(wanted)) {
+            (MapTexture::Patches, _) => Drawing::Patches(passes.pass("build_patches", format, &[])),
+            (MapTexture::Bounds(Bounds::Wide), _) => Drawing::Wide(Strip::new(passes, format, extent)),
+            (_, Some(bound)) => Drawing::Quadtrees(bound, passes.pass("build_same", format, &[])),
+            (_, None) => Drawing::Nothing,
+        };
+        let usage =
+            if wanted.is_storage() { wgpu::TextureUsages::STORAGE_BINDING } else { wgpu::TextureUsages::empty() };
+        let texture = texture(passes.gpu, format, wanted.size_over(extent), wanted.mips_over(extent), usage);
+        Self { texture, drawing }
+    }
+
+    /// Draws what has changed of a mip.
+    pub(super) fn update(&self, encoder: &mut wgpu::CommandEncoder, extent: &Extent, change: &Change<'_>) {
+        let image = Level::whole(&self.texture, 0);
+        match &self.drawing {
+            Drawing::Nothing => {}
+            Drawing::Patches(pass) => {
+                pass.draw_at(encoder, [change.heights, image], extent.patches(change.mip), &change.cells);
+            }
+            Drawing::Quadtrees(bound, pass) => {
+                for (level, (from, nodes)) in change.levels(*bound).iter().enumerate() {
+                    pass.draw_at(encoder, [*from, image], extent.place(change.mip, level as u32), nodes);
+                }
+            }
+            Drawing::Wide(strip) => strip.update(encoder, image, change.mip, change.levels(Bound::CellMax)),
+        }
+    }
+}
+
+impl<'t> Change<'t> {
+    /// The levels of a quadtree over it.
+    fn levels(&self, bound: Bound) -> &[Drawn<'t>] {
+        self.quadtrees.iter().find(|(other, _)| *other == bound).map_or(&[], |(_, levels)| levels)
+    }
+}
+
+fn format(texture: MapTexture) -> wgpu::TextureFormat {
+    match texture {
+        MapTexture::Patches => wgpu::TextureFormat::Rg32Uint,
+        MapTexture::Bounds(Bounds::Patches) => wgpu::TextureFormat::R32Uint,
+        MapTexture::Bounds(Bounds::Wide) => wgpu::TextureFormat::Rgba32Uint,
+        _ => wgpu::TextureFormat::R16Uint,
+    }
+}
