@@ -9,6 +9,7 @@ use terrane_codegen::graph::{FileRole, Project};
 use super::{Failure, project};
 use terrane::relief::{bytes, map};
 use terrane::{content, file, scene};
+use terrane_shaderlib::relief::Platform;
 
 /// Write the WGSL of a terrain or surface, its manifest, and the textures it reads
 #[derive(Debug, clap::Args)]
@@ -26,13 +27,34 @@ pub(crate) struct Build {
     /// Leave the textures where they are
     #[arg(long)]
     no_textures: bool,
+    /// What the shader is to run on: which search for relief `auto` stands for
+    #[arg(long, value_name = "PLATFORM", value_enum, default_value_t = On::Gpu)]
+    platform: On,
+}
+
+/// A platform by its name.
+#[derive(Clone, Copy, Debug, clap::ValueEnum)]
+enum On {
+    /// A graphics processor: `stride`, over cones
+    Gpu,
+    /// A processor that draws by itself, as llvmpipe does: `walk`, over a quadtree
+    Cpu,
+}
+
+impl From<On> for Platform {
+    fn from(on: On) -> Self {
+        match on {
+            On::Gpu => Self::Gpu,
+            On::Cpu => Self::Cpu,
+        }
+    }
 }
 
 impl Build {
     pub(crate) fn run(self) -> Result<(), Failure> {
         let mut project = project::open(&self.graph)?;
         let path = project::relative(&mut project, &self.graph)?;
-        let compiled = compile(&mut project, &path)?;
+        let compiled = compile(&mut project, &path, self.platform.into())?;
         if !self.no_textures {
             copy_textures(&project, &compiled, &self.output)?;
         }
@@ -52,16 +74,19 @@ impl Build {
     }
 }
 
-fn compile(project: &mut Project, path: &str) -> Result<Compiled, Failure> {
+fn compile(project: &mut Project, path: &str, platform: Platform) -> Result<Compiled, Failure> {
     let surface = matches!(project.role(path), Some(FileRole::Surface));
     let (compiled, warnings) = if surface {
         let (graphs, surface, warnings) =
             project.surface(path).map_err(|found| project::findings(&found, &project.sources))?;
-        (project::compiler(project, &project::TERRAIN_HOST).surface(&graphs, surface, ReliefTrace::ALONE), warnings)
+        (
+            project::compiler(project, &project::TERRAIN_HOST, platform).surface(&graphs, surface, ReliefTrace::ALONE),
+            warnings,
+        )
     } else {
         let (graphs, terrain, warnings) =
             project.terrain(path).map_err(|found| project::findings(&found, &project.sources))?;
-        (project::compiler(project, &project::TERRAIN_HOST).terrain(&graphs, &terrain), warnings)
+        (project::compiler(project, &project::TERRAIN_HOST, platform).terrain(&graphs, &terrain), warnings)
     };
     project::warn(&warnings, &project.sources);
     compiled.map_err(|found| project::findings(&found, &project.sources))

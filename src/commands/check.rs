@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use terrane_codegen::diagnostic::{Diagnostic, any_error, sort};
 use terrane_codegen::graph::model::ReliefTrace;
 use terrane_codegen::graph::{FileRole, Project};
+use terrane_shaderlib::relief::Platform;
 
 use super::{Failure, project};
 
@@ -54,11 +55,15 @@ fn compile(project: &mut Project, path: &str) -> Result<(), Vec<Diagnostic>> {
     match project.role(path) {
         Some(FileRole::Terrain) => {
             let (graphs, terrain, _) = project.terrain(path)?;
-            project::compiler(project, &project::TERRAIN_HOST).terrain(&graphs, &terrain)?;
+            project::compiler(project, &project::TERRAIN_HOST, Platform::Gpu).terrain(&graphs, &terrain)?;
         }
         Some(FileRole::Surface) => {
             let (graphs, surface, _) = project.surface(path)?;
-            project::compiler(project, &project::TERRAIN_HOST).surface(&graphs, surface, ReliefTrace::ALONE)?;
+            project::compiler(project, &project::TERRAIN_HOST, Platform::Gpu).surface(
+                &graphs,
+                surface,
+                ReliefTrace::ALONE,
+            )?;
         }
         _ => {}
     }

@@ -9,6 +9,7 @@ use terrane_codegen::diagnostic::{Diagnostic, Sources, render};
 use terrane_codegen::graph::Project;
 use terrane_codegen::program::Options;
 use terrane_shaderlib::hosts::{self, Host};
+use terrane_shaderlib::relief::Platform;
 
 use super::Failure;
 
@@ -50,6 +51,7 @@ pub(super) static SEARCHED_HOST: LazyLock<Host> = LazyLock::new(hosts::searched)
 pub(super) static PREVIEW_HOST: LazyLock<Host> = LazyLock::new(hosts::preview);
 
 /// The generator with a host.
-pub(super) fn compiler<'a>(project: &'a Project, host: &'a Host) -> Compiler<'a> {
-    Compiler { library: &project.library, sources: &project.sources, host, options: Options::default() }
+pub(super) fn compiler<'a>(project: &'a Project, host: &'a Host, platform: Platform) -> Compiler<'a> {
+    let options = Options { platform, ..Options::default() };
+    Compiler { library: &project.library, sources: &project.sources, host, options }
 }

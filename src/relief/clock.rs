@@ -4,6 +4,7 @@ use std::fmt;
 use std::time::{Duration, Instant};
 
 use cpu_time::ProcessTime;
+use terrane_shaderlib::relief::Platform;
 
 use crate::render::{Gpu, RenderError};
 
@@ -23,7 +24,7 @@ impl Timing {
     /// The best that a device has.
     #[must_use]
     pub fn of(gpu: &Gpu) -> Self {
-        if gpu.is_software() && ProcessTime::try_now().is_ok() {
+        if gpu.platform() == Platform::Cpu && ProcessTime::try_now().is_ok() {
             Self::Processor
         } else if gpu.has_timestamps() {
             Self::Device

@@ -2,6 +2,8 @@
 
 use std::sync::{Arc, Mutex};
 
+use terrane_shaderlib::relief::Platform;
+
 use super::error::{RenderError, Result};
 
 /// Which adapter to use.
@@ -116,9 +118,10 @@ impl Gpu {
         self.device.features().contains(wgpu::Features::TIMESTAMP_QUERY)
     }
 
-    /// Whether a processor draws.
-    pub(crate) fn is_software(&self) -> bool {
-        self.software
+    /// Whether the processor draws.
+    #[must_use]
+    pub fn platform(&self) -> Platform {
+        if self.software { Platform::Cpu } else { Platform::Gpu }
     }
 
     /// Samples along a footprint, of those that a sampler asks for.

@@ -12,7 +12,7 @@ pub(super) fn relief(program: &Program, patch: &Specialization) -> Option<Relief
     let (relief, part) = program.relief.as_ref().zip(patch.relief.as_ref())?;
     let layers = patch.layers.iter().filter_map(|layer| program.layers[*layer].relief);
     Some(ReliefInfo {
-        method: relief.trace.method.search().to_string(),
+        method: relief.method.to_string(),
         arguments: relief_arguments(program, part).names().map(str::to_owned).collect(),
         fade: [relief.trace.fade.0, relief.trace.fade.1],
         deepest: layers.map(|layer| layer.depth).fold(0.0, f32::max),

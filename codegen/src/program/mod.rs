@@ -10,6 +10,8 @@ mod resource;
 
 use std::collections::BTreeMap;
 
+use terrane_shaderlib::relief::Platform;
+
 use crate::diagnostic::Span;
 use crate::graph::model::{Access, Blend, FrameField};
 use crate::value::{Literal, Type};
@@ -100,18 +102,20 @@ pub struct Options {
     pub fold: bool,
     /// Layers are skipped where they cannot be seen.
     pub guard: bool,
+    /// What the shader is to run on: which method `auto` stands for.
+    pub platform: Platform,
 }
 
 impl Default for Options {
     fn default() -> Self {
-        Self { intern: true, fold: true, guard: true }
+        Self { intern: true, fold: true, guard: true, platform: Platform::Gpu }
     }
 }
 
 impl Options {
     /// Everything that the graphs say, literally.
     pub fn plain() -> Self {
-        Self { intern: false, fold: false, guard: false }
+        Self { intern: false, fold: false, guard: false, platform: Platform::Gpu }
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeSet;
 
-use terrane_shaderlib::relief::MapTexture;
+use terrane_shaderlib::relief::{MapTexture, Method};
 
 use crate::diagnostic::Span;
 use crate::graph::model::{ReliefShadow, ReliefTrace};
@@ -14,6 +14,8 @@ use super::{Program, ValueId};
 pub struct ProgramRelief {
     /// How.
     pub trace: ReliefTrace,
+    /// What searches.
+    pub method: Method,
     /// Height maps of equal size, one a layer.
     pub arrays: Vec<ReliefArray>,
 }
@@ -23,7 +25,7 @@ impl ProgramRelief {
     pub fn textures(&self) -> Vec<MapTexture> {
         let lit = self.trace.shadow != ReliefShadow::Off || self.trace.occlusion > 0;
         let light = MapTexture::LIGHT.into_iter().filter(|_| lit);
-        light.chain(self.trace.method.search().reads()).collect::<BTreeSet<_>>().into_iter().collect()
+        light.chain(self.method.reads()).collect::<BTreeSet<_>>().into_iter().collect()
     }
 
     /// All arrays with their textures, in the order in which they are bound and passed on.

@@ -44,10 +44,26 @@ pub enum Method {
     RelaxedCone(u32, u32),
 }
 
+/// What runs a shader. Which method is fastest differs: a CPU counts arithmetic, a GPU waits for what it loads, and in a loop for
+/// the last of many lanes.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Platform {
+    /// A graphics processor.
+    #[default]
+    Gpu,
+    /// A processor that draws by itself: llvmpipe, SwiftShader, WARP.
+    Cpu,
+}
+
 impl Method {
-    /// The fastest exact one over a quadtree, by docs/relief/notebook.md: on a CPU; on GPUs `Stride` is faster, for cones of
-    /// 5.3 bytes a texel beside the quadtree that light reads, and seconds to build them.
-    pub const BEST: Self = Self::Walk;
+    /// The fastest exact one that reads sampled textures, by docs/relief/notebook.md.
+    #[must_use]
+    pub fn fastest(platform: Platform) -> Self {
+        match platform {
+            Platform::Gpu => Self::Stride,
+            Platform::Cpu => Self::Walk,
+        }
+    }
 
     /// Whether it finds the first hit of every ray.
     #[must_use]

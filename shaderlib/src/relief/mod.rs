@@ -22,7 +22,7 @@ pub use dirty::{Extent, Region, halved};
 pub use displacement::{Displacement, Undefined};
 pub use family::MethodError;
 pub use field::Field;
-pub use method::Method;
+pub use method::{Method, Platform};
 pub use placed::{Bounds, Placed, Unplaceable, planes};
 pub use plane::{Plane, Words};
 pub use strip::{wide_corners, wide_places};

@@ -189,7 +189,7 @@ fn displaced_found(search: DisplacedSearch, hit: ReliefHit) -> DisplacedHit {
 fn displaced_glance_on(heights: texture_2d_array<u32>, field: ReliefField, search: DisplacedSearch) -> DisplacedHit {
     let corners = relief_corners(heights, field, search.ray.cell, vec2i(0));
     let part = search.ray.origin.xy;
-    let height = mix(mix(corners.x, corners.y, part.x), mix(corners.z, corners.w, part.x), part.y);
+    let height = relief_height(corners, part);
     let t = clamp((height - search.ray.origin.z) / min(search.ray.direction.z, -1e-6), 0.0, search.ray.end);
     return DisplacedHit(search.start + search.unit * t, 1u, true);
 }

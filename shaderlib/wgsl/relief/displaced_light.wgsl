@@ -40,7 +40,7 @@ fn displaced_light_ray(
     let fastest = max(max(abs(texels.x), abs(texels.y)), 1e-4);
     let way = select(texels, vec2f(fastest, texels.y), all(abs(texels) < vec2f(fastest))) / fastest;
     let own = relief_corners(heights, field, start.cell, vec2i(0));
-    let ground = mix(mix(own.x, own.y, start.place.x), mix(own.z, own.w, start.place.x), start.place.y);
+    let ground = relief_height(own, start.place);
     let height = max(DISPLACED_STEPS + (point.z + layer.sink) * steps, ground + DISPLACED_LIGHT_LIFT);
     let rise = max(light.z, 1e-4) * steps / fastest;
     let end = min(max(DISPLACED_STEPS + 1.0 - height, 0.0) / rise, DISPLACED_LONGEST);

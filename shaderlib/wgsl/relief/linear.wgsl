@@ -36,7 +36,7 @@ fn linear_gap(heights: texture_2d_array<u32>, field: ReliefField, ray: ReliefRay
     let whole = floor(at.xy);
     let part = at.xy - whole;
     let corners = relief_corners(heights, field, ray.cell + vec2i(whole), vec2i(0));
-    return at.z - mix(mix(corners.x, corners.y, part.x), mix(corners.z, corners.w, part.x), part.y);
+    return at.z - relief_height(corners, part);
 }
 
 /// The place between a point above the surface and one below it.

@@ -90,6 +90,11 @@ fn relief_corners(heights: texture_2d_array<u32>, field: ReliefField, cell: vec2
     );
 }
 
+/// The height of a patch at a place in its cell.
+fn relief_height(corners: vec4f, place: vec2f) -> f32 {
+    return mix(mix(corners.x, corners.y, place.x), mix(corners.z, corners.w, place.x), place.y);
+}
+
 /// The heights of a cell as a mirrored frame has them.
 fn relief_mirrored(corners: vec4f, mirror: vec2i) -> vec4f {
     let along = select(corners, corners.yxwz, mirror.x != 0i);

@@ -29,7 +29,7 @@ fn relief_mip_texels(heights: texture_2d_array<u32>, field: ReliefField, cell: v
         relief_mip_texel(heights, field, near + vec2i(0, 1), mip),
         relief_mip_texel(heights, field, near + vec2i(1, 1), mip),
     );
-    return mix(mix(corners.x, corners.y, part.x), mix(corners.z, corners.w, part.x), part.y);
+    return relief_height(corners, part);
 }
 
 /// A texel of a mip; beyond the border of a map that ends, the nearest.

@@ -25,7 +25,7 @@ fn shadow_ray(
     lift: f32,
     reach: f32,
 ) -> ReliefRay {
-    let height = mix(mix(own.x, own.y, place.x), mix(own.z, own.w, place.x), place.y);
+    let height = relief_height(own, place);
     let direction = light / max(abs(light.x), abs(light.y));
     let ray = ReliefRay(cell, vec3f(place, height + lift), direction, reach / length(direction.xy));
     return ReliefRay(cell, ray.origin, direction, shadow_end(field, ray));

@@ -7,7 +7,6 @@ use std::path::PathBuf;
 use terrane::render::{Gpu, Image, Preview, Progress, Selection, render_preview};
 use terrane::scene::{files, height_field, material};
 use terrane::{content, file};
-use terrane_codegen::compile::Compiled;
 use terrane_codegen::graph::model::{ReliefMethod, ReliefTrace, Terrain};
 use terrane_codegen::graph::{FileRole, Project};
 use terrane_shaderlib::relief::Method;
@@ -89,8 +88,9 @@ impl Render {
             project.scene(path).map_err(|found| project::findings(&found, &project.sources))?;
         project::warn(&warnings, &project.sources);
         self.override_relief(&mut scene.terrain)?;
-        let compiled = compile(project, &graphs, &scene, &project::TERRAIN_HOST)?;
-        let gpu = self.prepare(project, &compiled)?;
+        let gpu = self.device()?;
+        let compiled = compile(project, &graphs, &scene, &project::TERRAIN_HOST, gpu.platform())?;
+        content::make(project, &files(&compiled))?;
         let field = height_field(&scene.terrain, project.root())?;
         let image = self.size.unwrap_or([scene.image.0, scene.image.1]);
         let (graphs, scene, samples) = (&graphs, &scene, self.samples);
@@ -115,13 +115,14 @@ impl Render {
             project.surface(path).map_err(|found| project::findings(&found, &project.sources))?;
         project::warn(&warnings, &project.sources);
         let method = self.relief.map_or(ReliefTrace::ALONE.method, ReliefMethod::Fixed);
-        let compiled = project::compiler(project, &project::PREVIEW_HOST)
+        let gpu = self.device()?;
+        let compiled = project::compiler(project, &project::PREVIEW_HOST, gpu.platform())
             .surface(&graphs, surface, ReliefTrace { method, ..ReliefTrace::ALONE })
             .map_err(|found| project::findings(&found, &project.sources))?;
         if self.relief.is_some() && compiled.program.relief.is_none() {
             return Err(Failure::Usage(format!("--relief: {path} has no relief")));
         }
-        let gpu = self.prepare(project, &compiled)?;
+        content::make(project, &files(&compiled))?;
         let bound = material(&compiled, project.root());
         let preview = Preview {
             shader: &compiled.host.text,
@@ -133,12 +134,11 @@ impl Render {
         Ok(render_preview(&gpu, &preview, Progress::Stderr)?)
     }
 
-    /// Output and device before the textures: whoever lacks a driver or a permission need not wait to hear of it.
-    fn prepare(&self, project: &Project, compiled: &Compiled) -> Result<Gpu, Failure> {
+    /// The device, once the picture can be written: whoever lacks a driver or a permission need not wait for textures to hear of
+    /// it.
+    fn device(&self) -> Result<Gpu, Failure> {
         file::check(&self.output)?;
-        let gpu = open(self.adapter.as_deref())?;
-        content::make(project, &files(compiled))?;
-        Ok(gpu)
+        open(self.adapter.as_deref())
     }
 }
 

@@ -10,7 +10,7 @@ use terrane_codegen::compile::Compiled;
 use terrane_codegen::graph::Project;
 use terrane_codegen::graph::model::{Graphs, ReliefMethod, Scene};
 use terrane_shaderlib::hosts::Host;
-use terrane_shaderlib::relief::Method;
+use terrane_shaderlib::relief::{Method, Platform};
 
 use crate::commands::{Failure, project};
 
@@ -28,8 +28,14 @@ pub(super) struct Drawing<'a> {
 }
 
 /// The scene's terrain as one shader.
-pub(super) fn compile(project: &Project, graphs: &Graphs, scene: &Scene, host: &Host) -> Result<Compiled, Failure> {
-    let compiled = project::compiler(project, host).terrain(graphs, &scene.terrain);
+pub(super) fn compile(
+    project: &Project,
+    graphs: &Graphs,
+    scene: &Scene,
+    host: &Host,
+    platform: Platform,
+) -> Result<Compiled, Failure> {
+    let compiled = project::compiler(project, host, platform).terrain(graphs, &scene.terrain);
     compiled.map_err(|found| project::findings(&found, &project.sources))
 }
 
@@ -47,7 +53,7 @@ impl Drawing<'_> {
         let searched = self.search(self.scene)?;
         let mut exact = self.scene.clone();
         if let Some(relief) = &mut exact.terrain.relief {
-            relief.method = ReliefMethod::Fixed(Method::BEST);
+            relief.method = ReliefMethod::Fixed(Method::fastest(self.gpu.platform()));
         }
         let truth = self.search(&exact)?;
         println!("{}", searched.figures(&truth));
@@ -55,7 +61,7 @@ impl Drawing<'_> {
     }
 
     fn search(&self, of: &Scene) -> Result<Searched, Failure> {
-        let compiled = compile(self.project, self.graphs, of, &project::SEARCHED_HOST)?;
+        let compiled = compile(self.project, self.graphs, of, &project::SEARCHED_HOST, self.gpu.platform())?;
         let material = scene::material(&compiled, self.root());
         let quality = Quality { image: self.image, supersampling: 1, tolerance: 1.0 };
         let scene = scene::render_scene(of, &compiled, &material, self.field, quality);

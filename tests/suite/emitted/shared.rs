@@ -109,7 +109,7 @@ fn interning_leaves_fewer_calls_of_the_alpine_materials() {
         .unwrap_or_else(|error| fail(&error.diagnostics, &error.sources));
     // Nothing is folded, so that interning alone makes the difference.
     let mut values = |intern| {
-        let options = Options { intern, fold: false, guard: false };
+        let options = Options { intern, ..Options::plain() };
         compile(&mut project, "graphs/terrains/alpine.ron", options).manifest.permutations[0].values
     };
     let (before, after) = (values(false), values(true));

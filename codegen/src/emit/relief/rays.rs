@@ -31,7 +31,7 @@ fn numbered(array: &ReliefArray) -> String {
 
 impl Writer<'_> {
     pub(super) fn rays(&mut self) {
-        if self.relief.trace.method.search().bounds() == Bounds::Wide {
+        if self.relief.method.bounds() == Bounds::Wide {
             self.wide_corner();
         }
         self.search();
@@ -54,7 +54,7 @@ impl Writer<'_> {
 
     /// The first hit of one layer, on the mip that fits the pixel or between two.
     fn search(&mut self) {
-        let method = self.relief.trace.method.search();
+        let method = self.relief.method;
         let reads = method.reads();
         let maps = reads.iter().map(|texture| format!(", {}: {}", texture.name(), texture.wgsl()));
         let maps: String = maps.collect();
@@ -139,7 +139,7 @@ impl Writer<'_> {
             head: "fn terrane_displace(ray: DisplacedRay, RELIEF) -> DisplacedHit",
             begin: "var hit = displaced_plane(ray, relief.bottom);",
             each: "hit = displaced_nearer(hit, terrane_search(LAYER, ray, MAPS));",
-            maps: &self.relief.trace.method.search().reads(),
+            maps: &self.relief.method.reads(),
             end: "return hit;",
         });
     }

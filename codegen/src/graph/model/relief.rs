@@ -1,6 +1,6 @@
 //! Displaced surfaces: of a material, and how a terrain traces and shadows them.
 
-use terrane_shaderlib::relief::Method;
+use terrane_shaderlib::relief::{Method, Platform};
 
 use super::Input;
 use crate::diagnostic::Span;
@@ -36,7 +36,7 @@ pub struct ReliefTrace {
 /// Which tracer finds the displaced surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ReliefMethod {
-    /// The fastest exact one; where the ray's whole way through the relief is shorter than the error, a single look.
+    /// The fastest exact one of the platform; where the ray's whole way through the relief is shorter than the error, a single look.
     Auto {
         /// Texels of the height map, 0.001..64.
         max_error: f32,
@@ -47,9 +47,9 @@ pub enum ReliefMethod {
 
 impl ReliefMethod {
     /// The method of `shaderlib/wgsl/relief` that searches.
-    pub fn search(self) -> Method {
+    pub fn search(self, platform: Platform) -> Method {
         match self {
-            Self::Auto { .. } => Method::BEST,
+            Self::Auto { .. } => Method::fastest(platform),
             Self::Fixed(method) => method,
         }
     }

@@ -75,7 +75,8 @@ impl<'a> Builder<'a> {
         let trace = self.trace?;
         let texture = &context.graph.textures[relief.texture];
         let uv = self.input(context, &relief.uv);
-        let arrays = &mut self.program.relief.get_or_insert(ProgramRelief { trace, arrays: Vec::new() }).arrays;
+        let method = trace.method.search(self.platform);
+        let arrays = &mut self.program.relief.get_or_insert(ProgramRelief { trace, method, arrays: Vec::new() }).arrays;
         let array = position(
             arrays,
             |array| array.size == texture.size,

@@ -7,6 +7,8 @@ mod value;
 
 use std::collections::BTreeMap;
 
+use terrane_shaderlib::relief::Platform;
+
 use super::fold::Folder;
 use super::{Options, Pool, Program, ValueId};
 use crate::diagnostic::Span;
@@ -54,6 +56,7 @@ struct Builder<'a> {
     masks: BTreeMap<GraphId, ValueId>,
     /// How reliefs are traced, if they are.
     trace: Option<ReliefTrace>,
+    platform: Platform,
 }
 
 impl<'a> Builder<'a> {
@@ -70,7 +73,7 @@ impl<'a> Builder<'a> {
             relief: None,
         };
         let folder = options.fold.then(|| Folder::new(library));
-        Self { library, graphs, folder, program, masks: BTreeMap::new(), trace: None }
+        Self { library, graphs, folder, program, masks: BTreeMap::new(), trace: None, platform: options.platform }
     }
 
     fn finish(mut self, name: &str, blend: Blend) -> Program {
