@@ -13,7 +13,7 @@ use terrane_codegen::graph::model::{ReliefMethod, ReliefTrace, Terrain};
 use terrane_codegen::graph::{FileRole, Project};
 use terrane_codegen::program::Options;
 use terrane_shaderlib::hosts::{self, Host};
-use terrane_shaderlib::relief::Method;
+use terrane_shaderlib::relief::{Method, Platform};
 
 use crate::tint::{Module, Report, Tint};
 
@@ -96,6 +96,23 @@ fn so_is_a_terrain_with_every_method_of_tracing() {
     };
     let Some(errors) = errors(&Method::all().into_iter().map(traced).collect::<Vec<_>>()) else { return };
     assert_eq!(errors, "");
+}
+
+#[test]
+fn auto_is_the_fastest_exact_method_of_the_platform_and_binds_what_it_reads() {
+    let mut project = Project::open(Path::new(env!("CARGO_MANIFEST_DIR"))).expect("the project of this repository");
+    let (graphs, terrain, _) = project.terrain("graphs/terrains/yard.ron").expect("a terrain with relief");
+    let host = hosts::terrain();
+    for (platform, method, bounds) in [(Platform::Gpu, "stride", "_cones"), (Platform::Cpu, "walk", "_bounds")] {
+        let options = Options { platform, ..Options::default() };
+        let compiled = Compiler { options, ..compiler(&project, &host) }.terrain(&graphs, &terrain);
+        let manifest = compiled.unwrap_or_else(|found| fail(&found, &project.sources)).manifest;
+        let relief = manifest.relief.expect("the yard has relief");
+        assert_eq!(relief.method, method);
+        let textures = relief.arrays.iter().flat_map(|array| &array.textures);
+        let read: Vec<bool> = textures.map(|texture| texture.name.ends_with(bounds)).collect();
+        assert!(read.contains(&true), "{method} without {bounds}");
+    }
 }
 
 #[test]
