@@ -89,7 +89,8 @@ impl Render {
             project.scene(path).map_err(|found| project::findings(&found, &project.sources))?;
         project::warn(&warnings, &project.sources);
         self.override_relief(&mut scene.terrain)?;
-        let compiled = compile(project, &graphs, &scene, &project::TERRAIN_HOST)?;
+        let host = if scene.objects.is_empty() { &project::TERRAIN_HOST } else { &project::FURNISHED_HOST };
+        let compiled = compile(project, &graphs, &scene, host)?;
         let gpu = self.prepare(project, &compiled)?;
         let field = height_field(&scene.terrain, project.root())?;
         let image = self.size.unwrap_or([scene.image.0, scene.image.1]);
