@@ -29,7 +29,11 @@ macro_rules! terrain {
 macro_rules! furnished {
     ($($path:literal),*) => {
         terrain!(
-            "wgpu/objects.wgsl", "wgpu/objects_light.wgsl", "wgpu/objects_drawn.wgsl", $($path),*
+            "wgpu/objects.wgsl",
+            "wgpu/objects_light.wgsl",
+            "wgpu/objects_ground.wgsl",
+            "wgpu/objects_drawn.wgsl",
+            $($path),*
         )
     };
 }
@@ -46,10 +50,11 @@ pub const WGPU_TERRAIN_SEARCHED: &[SourceFile] = terrain!("wgpu/alone.wgsl", "wg
 
 /// [`WGPU_TERRAIN`] with solids that stand on it, in a uniform block at binding 7 of group 0. More entry points:
 /// `objects_vertex` and `objects_fragment`.
-pub const WGPU_TERRAIN_FURNISHED: &[SourceFile] = furnished!("wgpu/flat.wgsl");
+pub const WGPU_TERRAIN_FURNISHED: &[SourceFile] = furnished!("wgpu/objects_flat.wgsl", "wgpu/flat.wgsl");
 
 /// [`WGPU_TERRAIN_DISPLACED`] with solids.
-pub const WGPU_TERRAIN_DISPLACED_FURNISHED: &[SourceFile] = furnished!("wgpu/traced.wgsl", "wgpu/displaced.wgsl");
+pub const WGPU_TERRAIN_DISPLACED_FURNISHED: &[SourceFile] =
+    furnished!("wgpu/traced.wgsl", "wgpu/objects_sunk.wgsl", "wgpu/displaced.wgsl");
 
 /// Solids that such a terrain has at most.
 pub const WGPU_OBJECTS: usize = 16;

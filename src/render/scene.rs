@@ -129,7 +129,7 @@ pub(super) fn draw(gpu: &Gpu, scene: &RenderScene<'_>, progress: Progress) -> Re
     let sky = FullScreen::behind(gpu, "sky", &hosts::join(hosts::WGPU_SKY), &[&bound.layout])?;
     let objects = match scene.objects {
         [] => None,
-        _ => Some(FullScreen::among(gpu, "objects", scene.shader, &[&bound.layout])?),
+        _ => Some(FullScreen::among(gpu, "objects", scene.shader, &[&bound.layout, &material.layout])?),
     };
     let patches = TerrainDraw::new(gpu, scene.field, &scene.patches(&view, progress))?;
     let targets = Targets::new(gpu, width, height, displaced)?;
@@ -154,7 +154,7 @@ pub(super) fn draw(gpu: &Gpu, scene: &RenderScene<'_>, progress: Progress) -> Re
         submit(&|encoder| displaced.draw(&mut targets.displaced_pass(encoder)))?;
     }
     if let Some(objects) = &objects {
-        submit(&|encoder| objects.draw(&mut targets.objects_pass(encoder), &[&bound.group]))?;
+        submit(&|encoder| objects.draw(&mut targets.objects_pass(encoder), &[&bound.group, &material.group]))?;
     }
     Ok(targets)
 }

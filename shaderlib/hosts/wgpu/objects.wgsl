@@ -19,6 +19,10 @@ struct HostObject {
     around: f32,
     /// Its own axis x, on the world's x and z.
     turn: vec2f,
+    /// Its middle's x and z in 1/256 m.
+    origin: vec2i,
+    /// Metres from there to the middle, below 1/256.
+    rest: vec2f,
 }
 
 struct HostObjects {

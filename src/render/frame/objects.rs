@@ -26,6 +26,8 @@ struct One {
     albedo: [f32; 3],
     around: f32,
     turn: [f32; 2],
+    origin: [i32; 2],
+    rest: [f32; 2],
     unused: [u32; 2],
 }
 
@@ -48,6 +50,8 @@ impl ObjectsUniform {
 impl One {
     fn new(object: &Object, view: &View) -> Self {
         let (sin, cos) = object.solid.turn().to_radians().sin_cos();
+        let [x, _, z] = object.center;
+        let origin = [x, z].map(|metres| (metres * 256.0).floor());
         Self {
             center: (DVec3::from(object.center) - view.eye).as_vec3().to_array(),
             shape: match object.solid {
@@ -60,6 +64,8 @@ impl One {
             albedo: object.albedo,
             around: object.solid.around() as f32,
             turn: [cos as f32, sin as f32],
+            origin: origin.map(|units| units as i32),
+            rest: [(x - origin[0] / 256.0) as f32, (z - origin[1] / 256.0) as f32],
             unused: [0; 2],
         }
     }
