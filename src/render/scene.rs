@@ -15,8 +15,8 @@ use super::air::{Aerial, Atmosphere, SkyTable};
 use super::camera::{Camera, View, sun_direction};
 use super::error::{RenderError, Result};
 use super::frame::{
-    Bound, Displaced, FullScreen, ObjectsUniform, Tables, Targets, TerrainDraw, TerrainPipeline, ViewUniform, read_depth,
-    resolve,
+    Bound, Displaced, FullScreen, ObjectsUniform, Tables, Targets, TerrainDraw, TerrainPipeline, ViewUniform,
+    read_depth, resolve,
 };
 use super::geometry::{Bounds, select, visible};
 use super::gpu::Gpu;
@@ -176,7 +176,10 @@ fn bind(gpu: &Gpu, scene: &RenderScene<'_>, view: &View, progress: Progress) -> 
     let samples = scene.image.map(|side| side * scene.supersampling);
     let uniform = ViewUniform::new(view, scene.field, &atmosphere, &lights, aerial.reach, samples);
     let (field, objects) = (scene.field, ObjectsUniform::new(scene.objects, view));
-    Bound::new(gpu, &Tables { view: uniform, objects, lights: &lights, sky: &sky, aerial: &aerial, field, light: &light })
+    Bound::new(
+        gpu,
+        &Tables { view: uniform, objects, lights: &lights, sky: &sky, aerial: &aerial, field, light: &light },
+    )
 }
 
 impl RenderScene<'_> {

@@ -3,6 +3,9 @@
 /// Albedo of the ground around an object, which its shader does not ask.
 const HOST_FLOOR = vec3f(0.2);
 
+/// Tangent of the angle over which a side sees ground in the sun and in shadow as one.
+const HOST_AROUND = 0.8;
+
 struct HostObjectSeen {
     @location(0) radiance: vec4f,
     @builtin(frag_depth) depth: f32,
@@ -20,7 +23,7 @@ fn host_before(met: HostMet, at: vec3f, under: HostUnder) -> f32 {
     let ground = at + vec3f(out.x, -over, out.y);
     var sun = 1.0;
     for (var object = 0u; object < host_objects.count; object++) {
-        sun *= host_object_sun(object, ground);
+        sun *= host_object_sun(object, ground, HOST_AROUND);
     }
     return sun;
 }

@@ -55,12 +55,12 @@ fn host_off_column(place: vec3f, way: vec3f, half_size: vec3f) -> f32 {
     return max(max(over, under), select(side, -1.0, away <= radius));
 }
 
-/// Share of the sun that an object leaves to a place that lies `at` metres from the eye.
-fn host_object_sun(object: u32, at: vec3f) -> f32 {
+/// Share of a sun with that tangent of its radius that an object leaves to a place that lies `at` metres from the eye.
+fn host_object_sun(object: u32, at: vec3f, sun_radius: f32) -> f32 {
     let solid = host_objects.list[object];
     let to = solid.center - at;
     var off = host_off_sphere(to, solid.around);
-    let is_near = length(to) < solid.around || off < host_view.sun_radius;
+    let is_near = length(to) < solid.around || off < sun_radius;
     if is_near && solid.shape != HOST_SPHERE {
         let place = host_own(solid.turn, -to);
         let way = host_own(solid.turn, host_view.sun);
@@ -70,7 +70,7 @@ fn host_object_sun(object: u32, at: vec3f) -> f32 {
             off = host_off_column(place, way, solid.half_size);
         }
     }
-    return host_disc_share(off / host_view.sun_radius);
+    return host_disc_share(off / sun_radius);
 }
 
 /// Share of the upper hemisphere's cosine that a sphere hides, the part below the horizon left out. `up`: cosine of the angle
@@ -172,7 +172,7 @@ fn host_among(light: HostLight, at: vec3f, itself: u32) -> HostLight {
     var left = light;
     for (var object = 0u; object < host_objects.count; object++) {
         if object != itself {
-            left.sun *= host_object_sun(object, at);
+            left.sun *= host_object_sun(object, at, host_view.sun_radius);
             left.visible -= host_object_hidden(object, at);
         }
     }

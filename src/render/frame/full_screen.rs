@@ -22,7 +22,12 @@ impl FullScreen {
     }
 
     /// Compiles a shader that gives a depth, and is drawn where that is nearer than what is there.
-    pub(crate) fn among(gpu: &Gpu, name: &'static str, shader: &str, groups: &[&wgpu::BindGroupLayout]) -> Result<Self> {
+    pub(crate) fn among(
+        gpu: &Gpu,
+        name: &'static str,
+        shader: &str,
+        groups: &[&wgpu::BindGroupLayout],
+    ) -> Result<Self> {
         Self::new(gpu, name, shader, groups, depth_state(true, wgpu::CompareFunction::Greater))
     }
 

@@ -46,6 +46,7 @@ fn nothing_in_a_host_shadows_a_declaration() {
         hosts::WGPU_TERRAIN,
         hosts::WGPU_TERRAIN_DISPLACED,
         hosts::WGPU_TERRAIN_FURNISHED,
+        hosts::WGPU_TERRAIN_DISPLACED_FURNISHED,
         hosts::WGPU_PREVIEW,
         hosts::WGPU_PREVIEW_DISPLACED,
         hosts::WGPU_SKY,

@@ -90,8 +90,7 @@ fn a_sphere_in_displaced_ground_is_cut_by_the_relief_pixel_by_pixel() {
 }
 
 /// Looking down on three solids.
-const ABOVE: Camera =
-    Camera { eye: [MIDDLE.x, 6.0, MIDDLE.z + 3.0], target: [MIDDLE.x, 0.0, MIDDLE.z], fov: 34.0 };
+const ABOVE: Camera = Camera { eye: [MIDDLE.x, 6.0, MIDDLE.z + 3.0], target: [MIDDLE.x, 0.0, MIDDLE.z], fov: 34.0 };
 
 /// Faded where it begins.
 const FLAT: Shape = Shape { fade: (0.5, 1.0), ..SHAPE };
