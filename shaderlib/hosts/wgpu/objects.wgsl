@@ -69,7 +69,11 @@ fn host_enter_box(origin: vec3f, way: vec3f, half_size: vec3f) -> HostMet {
     if enter >= min(min(exits.x, exits.y), exits.z) {
         return HostMet(HOST_NOTHING, -1.0, vec3f(0.0));
     }
-    let first = vec3<bool>(entries.x == enter, entries.y == enter && entries.x < enter, max(entries.x, entries.y) < enter);
+    let first = vec3<bool>(
+        entries.x == enter,
+        entries.y == enter && entries.x < enter,
+        max(entries.x, entries.y) < enter,
+    );
     return HostMet(0u, enter, select(vec3f(0.0), -sign(way), first));
 }
 

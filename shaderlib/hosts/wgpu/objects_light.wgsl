@@ -1,7 +1,8 @@
 //! The light that solids take from places around them.
 //!
-//! Sun: how far its middle lies outside a solid's outline, as the sine of an angle, and the part of the disc that a line so far
-//! from its middle leaves. Sky: (1/π) ∫ ω dω over what a solid hides of it, which is part of the vector that `HostLight` has.
+//! Sun: how far its middle lies outside a solid's outline, as the sine of an angle, and the part of the disc that a line
+//! so far from its middle leaves. Sky: (1/π) ∫ ω dω over what a solid hides of it, which is part of the vector that
+//! `HostLight` has.
 
 /// Sine of the angle from the sun's middle out of a sphere's outline. `to`: from the place to the sphere's middle.
 fn host_off_sphere(to: vec3f, radius: f32) -> f32 {
@@ -14,14 +15,14 @@ fn host_off_sphere(to: vec3f, radius: f32) -> f32 {
     return outer * sqrt(1.0 - inner * inner) - inner * dot(to, host_view.sun) / away;
 }
 
-/// Sine of the angle from `way` out of the plane through a place and an edge. An edge is a point on two axes: where a ray leaves
-/// the solid on the first of them (`far`) and enters it on the second (`near`).
+/// Sine of the angle from `way` out of the plane through a place and an edge. An edge is a point on two axes: where a ray
+/// leaves the solid on the first of them (`far`) and enters it on the second (`near`).
 fn host_off_edge(far: f32, near: f32, way: vec2f) -> f32 {
     return (near * way.x - far * way.y) / max(length(vec2f(far, near)), 1e-6);
 }
 
-/// The same out of a box's outline, whose edges are those where a face that a ray enters meets one that it leaves. `place`: from
-/// the box's middle to the place, `way` to the sun, both in the box's axes.
+/// The same out of a box's outline, whose edges are those where a face that a ray enters meets one that it leaves.
+/// `place`: from the box's middle to the place, `way` to the sun, both in the box's axes.
 fn host_off_box(place: vec3f, way: vec3f, half_size: vec3f) -> f32 {
     let mirror = select(vec3f(-1.0), vec3f(1.0), way >= vec3f(0.0));
     let far = half_size - place * mirror;
@@ -73,9 +74,9 @@ fn host_object_sun(object: u32, at: vec3f, sun_radius: f32) -> f32 {
     return host_disc_share(off / sun_radius);
 }
 
-/// Share of the upper hemisphere's cosine that a sphere hides, the part below the horizon left out. `up`: cosine of the angle
-/// from the zenith to its middle, `far`: metres to there over its radius. Source: Snyder, "Area Light Sources for Real-Time
-/// Graphics", Microsoft Research MSR-TR-96-11, 1996, the irradiance of a spherical source that the horizon cuts.
+/// Share of the upper hemisphere's cosine that a sphere hides, the part below the horizon left out. `up`: cosine of the
+/// angle from the zenith to its middle, `far`: metres to there over its radius. Source: Snyder, "Area Light Sources for
+/// Real-Time Graphics", Microsoft Research MSR-TR-96-11, 1996, the irradiance of a spherical source that the horizon cuts.
 fn host_hidden_sphere(up: f32, far: f32) -> f32 {
     let square = far * far;
     let cut = 1.0 - square * up * up;
@@ -88,8 +89,8 @@ fn host_hidden_sphere(up: f32, far: f32) -> f32 {
     return max(whole / HOST_PI, 0.0);
 }
 
-/// The side of a polygon from `a` to `b`, both seen from the place: its part of (1/π) ∫ ω dω. Source: Lambert's formula, as in
-/// Arvo, "Applications of Irradiance Tensors to the Simulation of Non-Lambertian Phenomena", SIGGRAPH 1995.
+/// The side of a polygon from `a` to `b`, both seen from the place: its part of 2 ∫ ω dω. Source: Lambert's formula, as
+/// in Arvo, "Applications of Irradiance Tensors to the Simulation of Non-Lambertian Phenomena", SIGGRAPH 1995.
 fn host_hidden_side(a: vec3f, b: vec3f) -> vec3f {
     let turned = cross(a, b);
     let size = length(turned);
