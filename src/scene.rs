@@ -4,13 +4,13 @@ use std::collections::BTreeSet;
 use std::path::Path;
 
 use terrane_codegen::compile::Compiled;
-use terrane_codegen::graph::model::{Scene, Shadow, Terrain};
+use terrane_codegen::graph::model::{HeightFrom, Scene, Shadow, Solid, Terrain};
 use terrane_codegen::manifest::{ReliefArrayInfo, UniformInfo};
 use terrane_codegen::program::ProgramRelief;
 use terrane_shaderlib::relief::MapTexture;
 
 use crate::render::material::{Format, Material, Relief, Sampling, TextureArray, decode};
-use crate::render::{Camera, HeightField, RenderError, RenderScene};
+use crate::render::{self, Camera, HeightField, RenderError, RenderScene};
 
 /// Every file of the project that a shader and its terrain read, project-relative.
 pub fn files(compiled: &Compiled) -> BTreeSet<String> {
@@ -101,12 +101,32 @@ pub struct Quality {
     pub tolerance: f64,
 }
 
-/// What the renderer is to draw.
+/// What stands on a scene's terrain, its heights counted from 0.
+pub fn objects(scene: &Scene, field: &HeightField) -> Vec<render::Object> {
+    let objects = scene.objects.iter().map(|object| {
+        let [x, y, z] = object.center.map(f64::from);
+        let ground = if object.from == HeightFrom::Ground { field.bilinear(x, z) } else { 0.0 };
+        let (solid, center) = (solid(object.solid), [x, ground + y, z]);
+        render::Object { solid, center, albedo: object.albedo, roughness: object.roughness }
+    });
+    objects.collect()
+}
+
+fn solid(solid: Solid) -> render::Solid {
+    match solid {
+        Solid::Sphere { radius } => render::Solid::Sphere { radius: radius.into() },
+        Solid::Box { size, turn } => render::Solid::Box { size: size.map(f64::from), turn: turn.into() },
+        Solid::Column { radius, height } => render::Solid::Column { radius: radius.into(), height: height.into() },
+    }
+}
+
+/// What the renderer is to draw; with objects, `compiled` is for the host that has some.
 pub fn render_scene<'a>(
     scene: &Scene,
     compiled: &'a Compiled,
     material: &'a Material,
     field: &'a HeightField,
+    objects: &'a [render::Object],
     quality: Quality,
 ) -> RenderScene<'a> {
     RenderScene {
@@ -124,6 +144,7 @@ pub fn render_scene<'a>(
         sun: [scene.sun.azimuth.into(), scene.sun.elevation.into()],
         turbidity: scene.turbidity.into(),
         exposure: scene.exposure.into(),
+        objects,
         image: quality.image,
         supersampling: quality.supersampling,
         tolerance: quality.tolerance,

@@ -25,14 +25,39 @@ macro_rules! terrain {
     };
 }
 
+/// The same with solids on the terrain, and those behind them.
+macro_rules! furnished {
+    ($($path:literal),*) => {
+        terrain!(
+            "wgpu/objects.wgsl",
+            "wgpu/objects_light.wgsl",
+            "wgpu/objects_ground.wgsl",
+            "wgpu/objects_drawn.wgsl",
+            $($path),*
+        )
+    };
+}
+
 /// Plain WebGPU: a terrain of patches. Entry points `terrain_vertex` and `terrain_fragment`.
-pub const WGPU_TERRAIN: &[SourceFile] = terrain!("wgpu/flat.wgsl");
+pub const WGPU_TERRAIN: &[SourceFile] = terrain!("wgpu/alone.wgsl", "wgpu/flat.wgsl");
 
 /// The same for materials with relief. `terrain_fragment` gives depth as a second colour.
-pub const WGPU_TERRAIN_DISPLACED: &[SourceFile] = terrain!("wgpu/traced.wgsl", "wgpu/displaced.wgsl");
+pub const WGPU_TERRAIN_DISPLACED: &[SourceFile] =
+    terrain!("wgpu/alone.wgsl", "wgpu/traced.wgsl", "wgpu/displaced.wgsl");
 
 /// The same for looking at the search itself. `terrain_fragment` gives what it cost and how far it went.
-pub const WGPU_TERRAIN_SEARCHED: &[SourceFile] = terrain!("wgpu/traced.wgsl", "wgpu/searched.wgsl");
+pub const WGPU_TERRAIN_SEARCHED: &[SourceFile] = terrain!("wgpu/alone.wgsl", "wgpu/traced.wgsl", "wgpu/searched.wgsl");
+
+/// [`WGPU_TERRAIN`] with solids that stand on it, in a uniform block at binding 7 of group 0. More entry points:
+/// `objects_vertex` and `objects_fragment`.
+pub const WGPU_TERRAIN_FURNISHED: &[SourceFile] = furnished!("wgpu/objects_flat.wgsl", "wgpu/flat.wgsl");
+
+/// [`WGPU_TERRAIN_DISPLACED`] with solids.
+pub const WGPU_TERRAIN_DISPLACED_FURNISHED: &[SourceFile] =
+    furnished!("wgpu/traced.wgsl", "wgpu/objects_sunk.wgsl", "wgpu/displaced.wgsl");
+
+/// Solids that such a terrain has at most.
+pub const WGPU_OBJECTS: usize = 16;
 
 /// The files of one material on a square and a ball, and those behind them.
 macro_rules! preview {
@@ -91,7 +116,13 @@ pub fn terrain() -> Host {
     Host { flat: join(WGPU_TERRAIN), displaced: Some(join(WGPU_TERRAIN_DISPLACED)) }
 }
 
-/// The same, but materials with relief show what the search for it did.
+/// The same for terrain with objects on it.
+#[must_use]
+pub fn furnished() -> Host {
+    Host { flat: join(WGPU_TERRAIN_FURNISHED), displaced: Some(join(WGPU_TERRAIN_DISPLACED_FURNISHED)) }
+}
+
+/// The plain host, but materials with relief show what the search for it did.
 #[must_use]
 pub fn searched() -> Host {
     Host { flat: join(WGPU_TERRAIN), displaced: Some(join(WGPU_TERRAIN_SEARCHED)) }

@@ -44,6 +44,9 @@ pub(super) fn warn(found: &[Diagnostic], sources: &Sources) {
 /// The plain WebGPU host for terrain.
 pub(super) static TERRAIN_HOST: LazyLock<Host> = LazyLock::new(hosts::terrain);
 
+/// The same for terrain with objects on it.
+pub(super) static FURNISHED_HOST: LazyLock<Host> = LazyLock::new(hosts::furnished);
+
 /// The host that shows what the search for relief did.
 pub(super) static SEARCHED_HOST: LazyLock<Host> = LazyLock::new(hosts::searched);
 

@@ -5,7 +5,7 @@
 //!             --light-----> LightMap               sun's horizon, visible sky: swept on the CPU
 //! turbidity, sun --air----> Atmosphere             sun's colour, sky, haze: tables in f64
 //! Material    --material--> group 1                arrays with mips, samplers, parameters
-//! all of it   --frame-----> Image                  depth, light, sky, tone curve
+//! all of it   --frame-----> Image                  depth, light, sky, objects, tone curve
 //! ```
 //!
 //! Only core WebGPU with its default limits is asked for, so that what is drawn here can be drawn anywhere.
@@ -21,6 +21,7 @@ mod image;
 pub mod light;
 mod lights;
 pub mod material;
+mod object;
 mod preview;
 mod progress;
 mod scene;
@@ -32,6 +33,7 @@ pub use gpu::{Gpu, Selection};
 pub use height_field::HeightField;
 pub use image::Image;
 pub use lights::{Lights, luminance};
+pub use object::{Object, Solid};
 pub use preview::{Preview, render_preview};
 pub use progress::{Phase, Progress};
 pub use scene::{RenderScene, Rendered, render_scene, render_with_depth};

@@ -5,7 +5,7 @@ use glam::{DVec3, Vec4};
 use super::air::{Aerial, Atmosphere, SkyTable};
 use super::camera::{Camera, sun_direction};
 use super::error::{RenderError, Result};
-use super::frame::{Bound, FullScreen, Tables, Targets, ViewUniform, resolve};
+use super::frame::{Bound, FullScreen, ObjectsUniform, Tables, Targets, ViewUniform, resolve};
 use super::gpu::Gpu;
 use super::height_field::HeightField;
 use super::image::Image;
@@ -46,7 +46,7 @@ pub fn render_preview(gpu: &Gpu, preview: &Preview<'_>, progress: Progress) -> R
     let [width, height] = preview.image.map(|side| side * preview.supersampling);
     let material = MaterialGroup::new(gpu, preview.material, progress)?;
     let bound = bind(gpu, preview)?;
-    let pipeline = FullScreen::new(gpu, "preview", preview.shader, &[&bound.layout, &material.layout])?;
+    let pipeline = FullScreen::behind(gpu, "preview", preview.shader, &[&bound.layout, &material.layout])?;
     let targets = Targets::new(gpu, width, height, false)?;
     let _phase = progress.phase("drawing", 1);
     let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
@@ -86,6 +86,14 @@ fn bind(gpu: &Gpu, preview: &Preview<'_>) -> Result<Bound> {
     let uniform = ViewUniform::new(&view, &field, &atmosphere, &lights, aerial.reach, samples);
     Bound::new(
         gpu,
-        &Tables { view: uniform, lights: &lights, sky: &sky, aerial: &aerial, field: &field, light: &light },
+        &Tables {
+            view: uniform,
+            objects: ObjectsUniform::none(),
+            lights: &lights,
+            sky: &sky,
+            aerial: &aerial,
+            field: &field,
+            light: &light,
+        },
     )
 }

@@ -1,4 +1,12 @@
 //! From a scene to its picture.
+//!
+//! Depth of the ground as the height map has it, the sky, the ground's light, the depth of its relief, then objects: the order is
+//! right for every sample. Relief only goes down from the ground, and the light of a sample is followed along its own ray, so
+//! the ground that is in front before relief is the one whose relief is seen: the light needs the first depth alone, and no
+//! object may stand in that, or it would hide relief in front of it. Once the depth of the relief has taken the ground's place, an
+//! object is seen exactly where it is nearer than that. One that was tested against the ground itself would end where it
+//! goes into the ground; its part in a crack, over the crack's bottom, would be lost. It covers the light of what is behind it, and
+//! nothing is mixed: samples of a pixel are, later.
 
 use glam::DVec3;
 use terrane_shaderlib::hosts;
@@ -7,7 +15,8 @@ use super::air::{Aerial, Atmosphere, SkyTable};
 use super::camera::{Camera, View, sun_direction};
 use super::error::{RenderError, Result};
 use super::frame::{
-    Bound, Displaced, FullScreen, Tables, Targets, TerrainDraw, TerrainPipeline, ViewUniform, read_depth, resolve,
+    Bound, Displaced, FullScreen, ObjectsUniform, Tables, Targets, TerrainDraw, TerrainPipeline, ViewUniform,
+    read_depth, resolve,
 };
 use super::geometry::{Bounds, select, visible};
 use super::gpu::Gpu;
@@ -16,12 +25,14 @@ use super::image::Image;
 use super::light::{LightSettings, light_map};
 use super::lights::{ADAPTATION, Lights};
 use super::material::{Material, MaterialGroup};
+use super::object::{self, Object};
 use super::progress::Progress;
 
 /// Everything that a picture of a terrain depends on.
 #[derive(Clone, Debug)]
 pub struct RenderScene<'a> {
-    /// The complete WGSL: the emitted core within `terrane_shaderlib::hosts::WGPU_TERRAIN`.
+    /// The complete WGSL: the emitted core within one of the texts of `terrane_shaderlib::hosts::terrain`, or where there are
+    /// objects, of `furnished`.
     pub shader: &'a str,
     /// What the shader's group 1 reads.
     pub material: &'a Material,
@@ -41,6 +52,8 @@ pub struct RenderScene<'a> {
     pub turbidity: f64,
     /// Stops on top of the base exposure.
     pub exposure: f64,
+    /// What stands on the terrain, no more than `terrane_shaderlib::hosts::WGPU_OBJECTS`.
+    pub objects: &'a [Object],
     /// Width and height in pixels.
     pub image: [u32; 2],
     /// Samples of a pixel on a side.
@@ -67,7 +80,7 @@ const LARGEST: u32 = 8192;
 /// Draws a scene.
 ///
 /// # Errors
-/// [`RenderError::Scene`] for a camera, sun or size that makes no picture, [`RenderError::Texture`] for a file of the
+/// [`RenderError::Scene`] for a camera, sun, size or object that makes no picture, [`RenderError::Texture`] for a file of the
 /// material, the others where the device fails.
 pub fn render_scene(gpu: &Gpu, scene: &RenderScene<'_>, progress: Progress) -> Result<Image> {
     let targets = draw(gpu, scene, progress)?;
@@ -113,10 +126,14 @@ pub(super) fn draw(gpu: &Gpu, scene: &RenderScene<'_>, progress: Progress) -> Re
         let _phase = progress.phase("terrain shader", 1);
         TerrainPipeline::new(gpu, scene.shader, displaced, &bound, &material)?
     };
-    let sky = FullScreen::new(gpu, "sky", &hosts::join(hosts::WGPU_SKY), &[&bound.layout])?;
+    let sky = FullScreen::behind(gpu, "sky", &hosts::join(hosts::WGPU_SKY), &[&bound.layout])?;
+    let objects = match scene.objects {
+        [] => None,
+        _ => Some(FullScreen::among(gpu, "objects", scene.shader, &[&bound.layout, &material.layout])?),
+    };
     let patches = TerrainDraw::new(gpu, scene.field, &scene.patches(&view, progress))?;
     let targets = Targets::new(gpu, width, height, displaced)?;
-    let phase = progress.phase("drawing", patches.pieces() as u64 + 3);
+    let phase = progress.phase("drawing", patches.pieces() as u64 + 4);
     let submit = |record: &dyn Fn(&mut wgpu::CommandEncoder)| {
         let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
         gpu.checked("drawing commands", || record(&mut encoder))?;
@@ -135,6 +152,9 @@ pub(super) fn draw(gpu: &Gpu, scene: &RenderScene<'_>, progress: Progress) -> Re
     if let Some(texture) = &targets.displaced {
         let displaced = Displaced::new(gpu, texture)?;
         submit(&|encoder| displaced.draw(&mut targets.displaced_pass(encoder)))?;
+    }
+    if let Some(objects) = &objects {
+        submit(&|encoder| objects.draw(&mut targets.objects_pass(encoder), &[&bound.group, &material.group]))?;
     }
     Ok(targets)
 }
@@ -155,8 +175,11 @@ fn bind(gpu: &Gpu, scene: &RenderScene<'_>, view: &View, progress: Progress) -> 
     let light = light_map(scene.field, settings, progress);
     let samples = scene.image.map(|side| side * scene.supersampling);
     let uniform = ViewUniform::new(view, scene.field, &atmosphere, &lights, aerial.reach, samples);
-    let field = scene.field;
-    Bound::new(gpu, &Tables { view: uniform, lights: &lights, sky: &sky, aerial: &aerial, field, light: &light })
+    let (field, objects) = (scene.field, ObjectsUniform::new(scene.objects, view));
+    Bound::new(
+        gpu,
+        &Tables { view: uniform, objects, lights: &lights, sky: &sky, aerial: &aerial, field, light: &light },
+    )
 }
 
 impl RenderScene<'_> {
@@ -172,6 +195,7 @@ impl RenderScene<'_> {
         if self.tolerance.is_nan() || self.tolerance < 0.0 {
             return refuse(format!("a tolerance of {} pixels is negative", self.tolerance));
         }
+        object::validate(self.objects)?;
         let [x, y, z] = self.camera.eye;
         let ground = self.field.bilinear(x, z);
         if y <= ground && [x, z].iter().zip(self.field.extent()).all(|(at, extent)| (0.0..extent).contains(at)) {

@@ -28,7 +28,8 @@ pub struct Searched {
 /// # Errors
 /// As [`render_scene`](super::render_scene).
 pub fn search_scene(gpu: &Gpu, scene: &RenderScene<'_>, progress: Progress) -> Result<Searched> {
-    let targets = draw(gpu, scene, progress)?;
+    // What stands before the ground is no part of the search.
+    let targets = draw(gpu, &RenderScene { objects: &[], ..scene.clone() }, progress)?;
     let search = read_halves(gpu, &targets.radiance)?;
     let distance = targets.displaced.map_or(Ok(Vec::new()), |displaced| read_depth(gpu, &displaced))?;
     // Where nothing is displaced there is the sky, or nothing.

@@ -24,5 +24,7 @@ pub const IMAGE_PIXELS: u64 = 256 << 20;
 pub const FINDINGS: usize = 200;
 /// Layers of a terrain.
 pub const LAYERS: usize = 64;
+/// Objects of a scene: a uniform array has so many.
+pub const OBJECTS: usize = terrane_shaderlib::hosts::WGPU_OBJECTS;
 /// Patches on a side of a terrain.
 pub const PATCHES: f32 = 1024.0;

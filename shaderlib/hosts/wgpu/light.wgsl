@@ -48,13 +48,19 @@ fn host_reflected(direction: vec3f, roughness: f32, land: vec3f) -> vec3f {
     return mix(land, sky, smoothstep(-width, width, direction.y));
 }
 
-/// Share of the sun's disc above a horizon whose tangent is given: the area of a disc cut by a line.
+/// Share of a disc on one side of a line: the line's distance from its middle over its radius, negative where less than half
+/// is left.
+fn host_disc_share(distance: f32) -> f32 {
+    let x = clamp(distance, -1.0, 1.0);
+    return 0.5 + (x * sqrt(1.0 - x * x) + asin(x)) * 0.318309886;
+}
+
+/// Share of the sun's disc above a horizon whose tangent is given.
 fn host_sun_visible(horizon: f32) -> f32 {
     let flat = length(host_view.sun.xz);
     // Tangent of the angle between the horizon and the sun's middle.
     let above = (host_view.sun.y - horizon * flat) / max(flat + horizon * host_view.sun.y, 1e-6);
-    let x = clamp(above / host_view.sun_radius, -1.0, 1.0);
-    return 0.5 + (x * sqrt(1.0 - x * x) + asin(x)) * 0.318309886;
+    return host_disc_share(above / host_view.sun_radius);
 }
 
 /// The light that reaches a place.

@@ -104,7 +104,7 @@ fn host_ground(vertex: HostVertex, place: HostPlace, material: TerrainOut, sun_s
     var occluded = material;
     occluded.occlusion *= open;
     // Ground is lit by ground of its own kind.
-    let light = HostLight(sun, visible, sky.w, material.albedo);
+    let light = host_beside(HostLight(sun, visible, sky.w, material.albedo), -place.to_eye * frame.distance);
     let radiance = host_shade(occluded, frame.normal, place.to_eye, light);
     return vec4f(host_through_air(radiance, vertex.clip.xy / host_view.pixels, frame.height, frame.distance), 1.0);
 }

@@ -89,7 +89,8 @@ impl Render {
         project::warn(&warnings, &project.sources);
         self.override_relief(&mut scene.terrain)?;
         let gpu = self.device()?;
-        let compiled = compile(project, &graphs, &scene, &project::TERRAIN_HOST, gpu.platform())?;
+        let host = if scene.objects.is_empty() { &project::TERRAIN_HOST } else { &project::FURNISHED_HOST };
+        let compiled = compile(project, &graphs, &scene, host, gpu.platform())?;
         content::make(project, &files(&compiled))?;
         let field = height_field(&scene.terrain, project.root())?;
         let image = self.size.unwrap_or([scene.image.0, scene.image.1]);

@@ -44,7 +44,8 @@ impl Drawing<'_> {
     pub(super) fn picture(&self, compiled: &Compiled) -> Result<Image, RenderError> {
         let material = scene::material(compiled, self.root());
         let quality = Quality { image: self.image, supersampling: self.samples, tolerance: 1.0 };
-        let scene = scene::render_scene(self.scene, compiled, &material, self.field, quality);
+        let objects = scene::objects(self.scene, self.field);
+        let scene = scene::render_scene(self.scene, compiled, &material, self.field, &objects, quality);
         render_scene(self.gpu, &scene, Progress::Stderr)
     }
 
@@ -64,7 +65,7 @@ impl Drawing<'_> {
         let compiled = compile(self.project, self.graphs, of, &project::SEARCHED_HOST, self.gpu.platform())?;
         let material = scene::material(&compiled, self.root());
         let quality = Quality { image: self.image, supersampling: 1, tolerance: 1.0 };
-        let scene = scene::render_scene(of, &compiled, &material, self.field, quality);
+        let scene = scene::render_scene(of, &compiled, &material, self.field, &[], quality);
         Ok(search_scene(self.gpu, &scene, Progress::Stderr)?)
     }
 

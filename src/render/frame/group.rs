@@ -1,5 +1,6 @@
 //! Group 0: what the renderer gives to every shader of a picture.
 
+use super::objects::ObjectsUniform;
 use super::texture::{Table, half_colours, half_vectors, halves, mips};
 use super::uniform::ViewUniform;
 use crate::render::air::{AERIAL_CELLS, Aerial, SKY_TEXELS, SkyTable};
@@ -19,6 +20,7 @@ pub(crate) struct Bound {
 /// Everything that a picture's shaders read besides the material.
 pub(crate) struct Tables<'a> {
     pub(crate) view: ViewUniform,
+    pub(crate) objects: ObjectsUniform,
     pub(crate) lights: &'a Lights,
     pub(crate) sky: &'a SkyTable,
     pub(crate) aerial: &'a Aerial,
@@ -26,7 +28,7 @@ pub(crate) struct Tables<'a> {
     pub(crate) light: &'a LightMap,
 }
 
-/// Textures at bindings 1, 2, 4, 5 and 6, as shaderlib/hosts/wgpu declares them; 0 is the uniform, 3 the sampler.
+/// Textures at bindings 1, 2, 4, 5 and 6, as shaderlib/hosts/wgpu declares them; 0 and 7 are uniforms, 3 the sampler.
 const TEXTURES: [(u32, wgpu::TextureViewDimension, bool); 5] = [
     (1, wgpu::TextureViewDimension::D2, true),
     (2, wgpu::TextureViewDimension::D3, true),
@@ -42,7 +44,7 @@ impl Bound {
             .iter()
             .map(|table| table.upload(gpu))
             .collect::<Result<Vec<_>>>()?;
-        gpu.checked("picture's bindings", || bind(gpu, &tables.view, &views))
+        gpu.checked("picture's bindings", || bind(gpu, tables, &views))
     }
 }
 
@@ -95,15 +97,10 @@ fn flat(label: &'static str, [width, height]: [u32; 2], format: wgpu::TextureFor
     Table { label, size: [width, height, 1], dimension, format, levels: Vec::new() }
 }
 
-fn bind(gpu: &Gpu, view: &ViewUniform, views: &[wgpu::TextureView]) -> Bound {
+fn bind(gpu: &Gpu, tables: &Tables<'_>, views: &[wgpu::TextureView]) -> Bound {
     let layout = layout(gpu);
-    let uniform = gpu.device.create_buffer(&wgpu::BufferDescriptor {
-        label: Some("view"),
-        size: size_of::<ViewUniform>() as u64,
-        usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
-        mapped_at_creation: false,
-    });
-    gpu.queue.write_buffer(&uniform, 0, bytemuck::bytes_of(view));
+    let view = uniform(gpu, "view", bytemuck::bytes_of(&tables.view));
+    let objects = uniform(gpu, "objects", bytemuck::bytes_of(&tables.objects));
     let sampler = gpu.device.create_sampler(&wgpu::SamplerDescriptor {
         label: Some("tables"),
         mag_filter: wgpu::FilterMode::Linear,
@@ -112,7 +109,8 @@ fn bind(gpu: &Gpu, view: &ViewUniform, views: &[wgpu::TextureView]) -> Bound {
         ..Default::default()
     });
     let mut entries = vec![
-        wgpu::BindGroupEntry { binding: 0, resource: uniform.as_entire_binding() },
+        wgpu::BindGroupEntry { binding: 0, resource: view.as_entire_binding() },
+        wgpu::BindGroupEntry { binding: 7, resource: objects.as_entire_binding() },
         wgpu::BindGroupEntry { binding: 3, resource: wgpu::BindingResource::Sampler(&sampler) },
     ];
     for ((binding, ..), view) in TEXTURES.into_iter().zip(views) {
@@ -124,6 +122,17 @@ fn bind(gpu: &Gpu, view: &ViewUniform, views: &[wgpu::TextureView]) -> Bound {
         entries: &entries,
     });
     Bound { layout, group }
+}
+
+fn uniform(gpu: &Gpu, label: &'static str, bytes: &[u8]) -> wgpu::Buffer {
+    let buffer = gpu.device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some(label),
+        size: bytes.len() as u64,
+        usage: wgpu::BufferUsages::UNIFORM | wgpu::BufferUsages::COPY_DST,
+        mapped_at_creation: false,
+    });
+    gpu.queue.write_buffer(&buffer, 0, bytes);
+    buffer
 }
 
 fn layout(gpu: &Gpu) -> wgpu::BindGroupLayout {
@@ -139,7 +148,7 @@ fn layout(gpu: &Gpu) -> wgpu::BindGroupLayout {
         min_binding_size: None,
     };
     let sampler = wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering);
-    let mut entries = vec![entry(0, uniform), entry(3, sampler)];
+    let mut entries = vec![entry(0, uniform), entry(3, sampler), entry(7, uniform)];
     for (binding, view_dimension, filterable) in TEXTURES {
         let sample_type = wgpu::TextureSampleType::Float { filterable };
         entries.push(entry(binding, wgpu::BindingType::Texture { sample_type, view_dimension, multisampled: false }));

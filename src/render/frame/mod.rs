@@ -3,6 +3,7 @@
 mod displaced;
 mod full_screen;
 mod group;
+mod objects;
 mod readback;
 mod resolve;
 mod targets;
@@ -13,6 +14,7 @@ mod uniform;
 pub(super) use displaced::Displaced;
 pub(super) use full_screen::FullScreen;
 pub(super) use group::{Bound, Tables};
+pub(super) use objects::ObjectsUniform;
 pub(super) use readback::{read_depth, read_halves};
 pub(super) use resolve::resolve;
 pub(super) use targets::Targets;

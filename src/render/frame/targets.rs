@@ -77,6 +77,11 @@ impl Targets {
         self.pass(encoder, &[])
     }
 
+    /// A pass that draws light and depth of what stands on terrain, over what is there.
+    pub(crate) fn objects_pass<'e>(&self, encoder: &'e mut wgpu::CommandEncoder) -> wgpu::RenderPass<'e> {
+        self.pass(encoder, &[(&self.radiance, false)])
+    }
+
     /// Colours, each cleared or not.
     fn pass<'e>(
         &self,

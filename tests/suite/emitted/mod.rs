@@ -116,6 +116,21 @@ fn auto_is_the_fastest_exact_method_of_the_platform_and_binds_what_it_reads() {
 }
 
 #[test]
+fn so_is_a_terrain_with_objects_on_it() {
+    let mut project = Project::open(Path::new(env!("CARGO_MANIFEST_DIR"))).expect("the project of this repository");
+    let host = hosts::furnished();
+    let furnished = ["graphs/terrains/yard.ron", "graphs/terrains/alpine.ron"].map(|path| {
+        let (graphs, terrain, _) = project.terrain(path).expect("a terrain");
+        let compiled = compiler(&project, &host).terrain(&graphs, &terrain);
+        let compiled = compiled.unwrap_or_else(|found| fail(&found, &project.sources));
+        let layouts = layout::groups(&compiled.checked.module, &compiled.manifest);
+        Module::with_pipelines(path, &compiled.host.text).with_layouts(&layouts)
+    });
+    let Some(errors) = errors(&furnished) else { return };
+    assert_eq!(errors, "");
+}
+
+#[test]
 fn so_is_relief_in_the_picture_of_a_surface() {
     let mut project = Project::open(Path::new(env!("CARGO_MANIFEST_DIR"))).expect("the project of this repository");
     let (graphs, surface, _) = project.surface("graphs/surfaces/slabs.ron").expect("a surface with relief");

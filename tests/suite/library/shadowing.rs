@@ -45,6 +45,8 @@ fn nothing_in_a_host_shadows_a_declaration() {
     let hosts = [
         hosts::WGPU_TERRAIN,
         hosts::WGPU_TERRAIN_DISPLACED,
+        hosts::WGPU_TERRAIN_FURNISHED,
+        hosts::WGPU_TERRAIN_DISPLACED_FURNISHED,
         hosts::WGPU_PREVIEW,
         hosts::WGPU_PREVIEW_DISPLACED,
         hosts::WGPU_SKY,

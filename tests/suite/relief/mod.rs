@@ -9,6 +9,7 @@ mod figures;
 mod lighting;
 mod machine;
 mod metamorphic;
+mod objects;
 mod parallax_shadow;
 mod plain;
 mod pops;

@@ -7,7 +7,7 @@ use glam::DVec3;
 use tempfile::TempDir;
 use terrane::render::material::Material;
 use terrane::render::{
-    Camera, Gpu, HeightField, Image, Preview, Progress, RenderScene, Rendered, Searched, View, render_preview,
+    Camera, Gpu, HeightField, Image, Object, Preview, Progress, RenderScene, Rendered, Searched, View, render_preview,
     render_with_depth, search_scene,
 };
 use terrane::scene::material;
@@ -105,6 +105,7 @@ pub(super) struct Plain {
     lit: Compiled,
     searched: Compiled,
     field: HeightField,
+    objects: Vec<Object>,
 }
 
 impl Plain {
@@ -130,7 +131,14 @@ impl Plain {
         let lit = compile(&folder, &hosts::terrain())?;
         let searched = compile(&folder, &hosts::searched())?;
         let field = HeightField::new([4; 2], [SIDE / 4.0; 2], vec![0.0; 16]).expect("a flat map");
-        Ok(Self { folder, lit, searched, field })
+        Ok(Self { folder, lit, searched, field, objects: Vec::new() })
+    }
+
+    /// The same with objects on it.
+    pub(super) fn furnished(mut self, objects: &[Object]) -> Self {
+        self.lit = compile(&self.folder, &hosts::furnished()).unwrap_or_else(|findings| panic!("{findings}"));
+        self.objects = objects.to_vec();
+        self
     }
 
     /// The same with another text in place of one of its shader's.
@@ -179,6 +187,7 @@ impl Plain {
             sun: [250.0, 35.0],
             turbidity: 3.0,
             exposure: 0.0,
+            objects: &self.objects,
             image: IMAGE,
             supersampling: 1,
             tolerance: 1.0,

@@ -16,14 +16,14 @@ fn subpixel(gpu: &Gpu) -> f64 {
 }
 
 /// Never faded.
-const WHOLE: Shape = Shape { fade: (500.0, 600.0), ..SHAPE };
+pub(super) const WHOLE: Shape = Shape { fade: (500.0, 600.0), ..SHAPE };
 
 /// Low over the ground, every texel wider than a pixel.
-const GRAZING: Camera =
+pub(super) const GRAZING: Camera =
     Camera { eye: [MIDDLE.x, 1.0, MIDDLE.z], target: [MIDDLE.x + 1.3, 0.0, MIDDLE.z + 4.5], fov: 14.0 };
 
 /// The map and its mips, each the mean of four texels of the one before.
-fn mips(map: Heights) -> Vec<Heights> {
+pub(super) fn mips(map: Heights) -> Vec<Heights> {
     let halved = |finer: &Heights| {
         let side = finer.size()[0] / 2;
         let mean =
@@ -35,7 +35,7 @@ fn mips(map: Heights) -> Vec<Heights> {
 }
 
 /// Metres from the ground along a ray of length 1 to the relief of one mip.
-fn under(mips: &[Heights], mip: usize, ground: DVec3, ray: DVec3) -> f64 {
+pub(super) fn under(mips: &[Heights], mip: usize, ground: DVec3, ray: DVec3) -> f64 {
     let rate = f64::from(mips[mip].size()[0]) / WHOLE.tile;
     let steps = 65_535.0 / WHOLE.depth;
     let origin = [ground.x * rate - 0.5, ground.z * rate - 0.5, 65_535.0];

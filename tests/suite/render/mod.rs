@@ -4,6 +4,7 @@ mod air;
 mod geometry;
 mod light;
 mod material;
+mod objects;
 mod picture;
 mod tint;
 mod world;

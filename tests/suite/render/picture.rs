@@ -21,6 +21,7 @@ fn scene<'a>(field: &'a HeightField, shader: &'a str, material: &'a Material, ca
         sun: [130.0, 28.0],
         turbidity: 3.0,
         exposure: 0.0,
+        objects: &[],
         image: [160, 90],
         supersampling: 1,
         tolerance: 0.0,

@@ -12,6 +12,7 @@ fn tint_accepts_every_shader_of_the_renderer() {
     let core = format!("{OUT}{ALPINE}");
     let modules = [
         Module::with_pipelines("terrain", shader(&core)),
+        Module::with_pipelines("terrain with objects", shader_in(hosts::WGPU_TERRAIN_FURNISHED, &core)),
         Module::with_pipelines("preview", shader_in(hosts::WGPU_PREVIEW, &core)),
         Module::with_pipelines("sky", hosts::join(hosts::WGPU_SKY)),
         Module::with_pipelines("resolve", hosts::join(hosts::WGPU_RESOLVE)),

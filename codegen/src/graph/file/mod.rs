@@ -7,6 +7,7 @@ mod decode;
 mod expr;
 mod graph;
 mod light;
+mod object;
 mod port;
 mod project;
 mod relief;

@@ -2,9 +2,10 @@
 
 use super::Named;
 use super::call::call;
+use super::object::objects;
 use crate::diagnostic::Diagnostic;
 use crate::graph::limits;
-use crate::graph::model::{Camera, Sun};
+use crate::graph::model::{Camera, Object, Sun};
 use crate::graph::syntax::{Field, Fields};
 
 /// Preetham's turbidity where a scene does not say: clear air.
@@ -19,6 +20,7 @@ pub(crate) struct SceneFile {
     pub(crate) sun: Option<Sun>,
     pub(crate) turbidity: f32,
     pub(crate) exposure: f32,
+    pub(crate) objects: Vec<Object>,
 }
 
 /// Reads the fields of a scene.
@@ -30,7 +32,8 @@ pub(super) fn read(fields: &mut Fields<'_>, findings: &mut Vec<Diagnostic>) -> S
     let sun = fields.need("sun", findings).and_then(|field| sun(field, findings));
     let turbidity = fields.take("sky").and_then(|field| sky(field, findings)).unwrap_or(TURBIDITY);
     let exposure = fields.take("exposure").and_then(|field| field.number(-16.0, 16.0, findings)).unwrap_or(0.0);
-    SceneFile { terrain, image, camera, sun, turbidity, exposure }
+    let objects = fields.take("objects").map(|field| objects(field, findings)).unwrap_or_default();
+    SceneFile { terrain, image, camera, sun, turbidity, exposure, objects }
 }
 
 fn image(field: Field<'_>, findings: &mut Vec<Diagnostic>) -> Option<(u32, u32)> {

@@ -1,6 +1,6 @@
 //! A picture to be taken.
 
-use super::Terrain;
+use super::{Object, Terrain};
 use crate::diagnostic::SourceId;
 
 /// A picture to be taken.
@@ -26,6 +26,8 @@ pub struct Scene {
     pub turbidity: f32,
     /// Stops.
     pub exposure: f32,
+    /// What stands on the terrain.
+    pub objects: Vec<Object>,
 }
 
 /// Metres from the terrain's north-west corner (x east, y up, z south) and degrees.

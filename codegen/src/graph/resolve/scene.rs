@@ -22,6 +22,7 @@ impl Session<'_> {
             sun: file.sun?,
             turbidity: file.turbidity,
             exposure: file.exposure,
+            objects: file.objects.clone(),
         })
     }
 }
