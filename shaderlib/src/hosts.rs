@@ -91,13 +91,17 @@ pub const WGPU_DEPTH: &[SourceFile] = &[host!("wgpu/depth.wgsl")];
 pub const WGPU_RESOLVE: &[SourceFile] = &[host!("wgpu/resolve.wgsl")];
 
 /// Relief's own: mips and bounds of a height map, made on the device. Entry points `build_vertex`, and for one level each
-/// `build_fill` and `build_mip`, `build_cells` and `build_nodes`, `build_same`, `build_patches` and `build_wide`.
+/// `build_fill` and `build_mip`, `build_cells` and `build_nodes`, `build_same`, `build_patches` and `build_wide`; for square cones
+/// `build_surrounded`, `build_joined`, `build_steepened`, and `build_cone` or `build_quadrants`.
 pub const WGPU_RELIEF_BUILD: &[SourceFile] = &[
     host!("relief/build.wgsl"),
     host!("relief/build_mips.wgsl"),
     host!("relief/build_pyramid.wgsl"),
     host!("relief/build_patches.wgsl"),
     host!("relief/build_wide.wgsl"),
+    host!("relief/build_cones_squares.wgsl"),
+    host!("relief/build_cones.wgsl"),
+    host!("relief/build_cones_codes.wgsl"),
 ];
 
 /// The texts of a host, for materials without relief and with.

@@ -11,7 +11,8 @@ struct BuildPart {
     size: vec2i,
     /// The texel of the target that is the first of the level. For wide nodes: its number, and the columns of the target.
     corner: vec2i,
-    /// The first of the wide nodes that are drawn, and what is behind the last of them.
+    /// The first of the wide nodes that are drawn, and what is behind the last of them. Of squares that are joined `first` is
+    /// how far apart they begin.
     first: vec2i,
     behind: vec2i,
 }

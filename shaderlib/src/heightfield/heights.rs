@@ -14,6 +14,17 @@ pub enum Border {
     Clamp,
 }
 
+impl Border {
+    /// Columns and rows of cells over so many texels.
+    #[must_use]
+    pub fn cells(self, texels: [u32; 2]) -> [u32; 2] {
+        match self {
+            Self::Wrap => texels,
+            Self::Clamp => texels.map(|side| side.saturating_sub(1).max(1)),
+        }
+    }
+}
+
 /// The heights as they were measured. Traversal counts in their own unit: 1 is one step of an 8- or 16-bit map.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Texels {
@@ -102,10 +113,7 @@ impl Heights {
     /// Columns and rows of cells.
     #[must_use]
     pub fn cells(&self) -> [u32; 2] {
-        match self.border {
-            Border::Wrap => self.size,
-            Border::Clamp => self.size.map(|side| (side - 1).max(1)),
-        }
+        self.border.cells(self.size)
     }
 
     /// The height of a texel, by its border's rule where it lies outside.

@@ -1,8 +1,11 @@
 //! The textures that shaders read: of each mip of a map what is drawn, where it belongs.
 
+use terrane_shaderlib::heightfield::Border;
+use terrane_shaderlib::heightfield::cones::Cones;
 use terrane_shaderlib::heightfield::pyramid::Bound;
 use terrane_shaderlib::relief::{Bounds, Extent, MapTexture, Region};
 
+use super::cones::{Squares, Ways};
 use super::level::{Level, texture};
 use super::mips::Mips;
 use super::passes::{Pass, Passes};
@@ -27,6 +30,8 @@ enum Drawing {
     Quadtrees(Bound, Pass),
     /// Nodes over every second level of the quadtree of cells.
     Wide(Strip),
+    /// Square cones over all cells.
+    Squares(Box<Squares>),
 }
 
 /// What has been drawn of a mip.
@@ -50,14 +55,23 @@ pub(super) fn bound(texture: MapTexture) -> Option<Bound> {
 
 impl Image {
     /// Room for one of a map.
-    pub(super) fn new(passes: &Passes<'_>, extent: &Extent, mips: &Mips, wanted: MapTexture) -> Self {
+    pub(super) fn new(
+        passes: &Passes<'_>,
+        (extent, border): (&Extent, Border),
+        mips: &Mips,
+        wanted: MapTexture,
+    ) -> Self {
         if wanted == MapTexture::Heights {
             return Self { texture: mips.texture.clone(), drawing: Drawing::Nothing };
         }
         let format = format(wanted);
+        let squares = |ways: Ways| Drawing::Squares(Box::new(Squares::new(passes, format, (extent, border), ways)));
         let drawing = match (wanted, bound(wanted)) {
             (MapTexture::Patches, _) => Drawing::Patches(passes.pass("build_patches", format, &[])),
             (MapTexture::Bounds(Bounds::Wide), _) => Drawing::Wide(Strip::new(passes, format, extent)),
+            (MapTexture::Bounds(Bounds::Cones(Cones::Robust)), _) => squares(Ways::All),
+            (MapTexture::Bounds(Bounds::Cones(Cones::Quadrant(number))), _) => squares(Ways::Quadrant(number)),
+            (MapTexture::Bounds(Bounds::Quadrants), _) => squares(Ways::Quadrants),
             (_, Some(bound)) => Drawing::Quadtrees(bound, passes.pass("build_same", format, &[])),
             (_, None) => Drawing::Nothing,
         };
@@ -80,6 +94,9 @@ impl Image {
                     pass.draw_at(encoder, [*from, image], extent.place(change.mip, level as u32), nodes);
                 }
             }
+            Drawing::Squares(squares) => {
+                squares.update(encoder, Level::whole(&self.texture, change.mip), change.mip, change.heights);
+            }
             Drawing::Wide(strip) => strip.update(encoder, image, change.mip, change.levels(Bound::CellMax)),
         }
     }
@@ -94,7 +111,8 @@ impl<'t> Change<'t> {
 
 fn format(texture: MapTexture) -> wgpu::TextureFormat {
     match texture {
-        MapTexture::Patches => wgpu::TextureFormat::Rg32Uint,
+        MapTexture::Patches | MapTexture::Bounds(Bounds::Quadrants) => wgpu::TextureFormat::Rg32Uint,
+        MapTexture::Bounds(Bounds::Cones(_)) => wgpu::TextureFormat::Rg16Uint,
         MapTexture::Bounds(Bounds::Patches) => wgpu::TextureFormat::R32Uint,
         MapTexture::Bounds(Bounds::Wide) => wgpu::TextureFormat::Rgba32Uint,
         _ => wgpu::TextureFormat::R16Uint,

@@ -7,6 +7,7 @@
 //!
 //! Every arrow is a pass that draws, and draws only what a rectangle has changed.
 
+mod cones;
 mod image;
 mod level;
 mod mips;
@@ -17,6 +18,7 @@ mod read;
 mod source;
 mod strip;
 
+use terrane_shaderlib::heightfield::cones::Cones;
 use terrane_shaderlib::heightfield::pyramid::Bound;
 use terrane_shaderlib::heightfield::{Heights, Texels};
 use terrane_shaderlib::relief::{Bounds, Extent, MapTexture, Plane, Region, Unplaceable};
@@ -51,6 +53,7 @@ impl<'a> Built<'a> {
         check(heights, textures)?;
         let extent = Extent::new(heights);
         let passes = Passes::new(gpu)?;
+        let image = |mips: &Mips, texture| Image::new(&passes, (&extent, heights.border()), mips, texture);
         let built = gpu.checked("relief's bounds", || {
             let mips = Mips::new(&passes, extent);
             Self {
@@ -58,7 +61,7 @@ impl<'a> Built<'a> {
                 extent,
                 source: Source::new(gpu, heights),
                 quadtrees: quadtrees(&passes, &extent, textures),
-                images: textures.iter().map(|texture| Image::new(&passes, &extent, &mips, *texture)).collect(),
+                images: textures.iter().map(|texture| image(&mips, *texture)).collect(),
                 mips,
             }
         })?;
@@ -66,10 +69,10 @@ impl<'a> Built<'a> {
         Ok(built)
     }
 
-    /// Whether the device builds a texture: all but those of cones.
+    /// Whether the device builds a texture: all but those of round cones.
     #[must_use]
     pub fn builds(texture: MapTexture) -> bool {
-        !matches!(texture, MapTexture::Bounds(Bounds::Cones(_) | Bounds::Quadrants))
+        !matches!(texture, MapTexture::Bounds(Bounds::Cones(Cones::Step | Cones::Relaxed)))
     }
 
     /// Brings what depends on a rectangle of changed texels up to date: columns and rows inside the map.

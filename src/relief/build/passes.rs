@@ -1,4 +1,4 @@
-//! Passes that draw one level of whole numbers from another.
+//! Passes that draw one level of numbers from another.
 
 use bytemuck::{Pod, Zeroable};
 use terrane_shaderlib::hosts;
@@ -13,7 +13,6 @@ use crate::render::{Gpu, RenderError};
 pub(super) struct Passes<'a> {
     pub(super) gpu: &'a Gpu,
     source: wgpu::BindGroupLayout,
-    layout: wgpu::PipelineLayout,
     module: wgpu::ShaderModule,
 }
 
@@ -50,25 +49,37 @@ impl<'a> Passes<'a> {
                 label: Some("relief's source"),
                 entries: &ENTRIES,
             });
-            let layout = gpu.device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-                label: Some("relief's passes"),
-                bind_group_layouts: &[Some(&source)],
-                ..Default::default()
-            });
             let module = gpu.device.create_shader_module(wgpu::ShaderModuleDescriptor {
                 label: Some("relief's passes"),
                 source: wgpu::ShaderSource::Wgsl(hosts::join(hosts::WGPU_RELIEF_BUILD).into()),
             });
-            Self { gpu, source, layout, module }
+            Self { gpu, source, module }
         })
     }
 
     /// Compiles the pass of an entry point with its constants.
     pub(super) fn pass(&self, entry: &str, format: wgpu::TextureFormat, constants: &[(&str, f64)]) -> Pass {
+        self.pass_beside(entry, format, constants, None)
+    }
+
+    /// One that reads other things beside its source.
+    pub(super) fn pass_beside(
+        &self,
+        entry: &str,
+        format: wgpu::TextureFormat,
+        constants: &[(&str, f64)],
+        beside: Option<&wgpu::BindGroupLayout>,
+    ) -> Pass {
         let device = self.gpu.device.clone();
+        let groups = [Some(&self.source), beside];
+        let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+            label: Some(entry),
+            bind_group_layouts: &groups[..1 + usize::from(beside.is_some())],
+            ..Default::default()
+        });
         let pipeline = device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
             label: Some(entry),
-            layout: Some(&self.layout),
+            layout: Some(&layout),
             vertex: wgpu::VertexState {
                 module: &self.module,
                 entry_point: Some("build_vertex"),
@@ -115,8 +126,30 @@ impl Pass {
     pub(super) fn draw_part(
         &self,
         encoder: &mut wgpu::CommandEncoder,
+        levels: [Level<'_>; 2],
+        part: Part,
+        regions: &[Region],
+    ) {
+        self.draw_groups(encoder, levels, part, &[], regions);
+    }
+
+    /// Draws a whole level with what it reads beside its source.
+    pub(super) fn draw_beside(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        levels: [Level<'_>; 2],
+        beside: &wgpu::BindGroup,
+    ) {
+        let whole = levels[1].size.map(|side| 0..side);
+        self.draw_groups(encoder, levels, Part::default(), &[beside], &[whole]);
+    }
+
+    fn draw_groups(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
         [from, to]: [Level<'_>; 2],
         part: Part,
+        beside: &[&wgpu::BindGroup],
         regions: &[Region],
     ) {
         let group = self.bind(from, part);
@@ -133,7 +166,9 @@ impl Pass {
             ..Default::default()
         });
         drawn.set_pipeline(&self.pipeline);
-        drawn.set_bind_group(0, &group, &[]);
+        for (index, group) in std::iter::once(&group).chain(beside.iter().copied()).enumerate() {
+            drawn.set_bind_group(index as u32, group, &[]);
+        }
         for [x, y] in regions {
             drawn.set_scissor_rect(x.start, y.start, x.end - x.start, y.end - y.start);
             drawn.draw(0..3, 0..1);
@@ -158,16 +193,23 @@ impl Pass {
     }
 }
 
-const ENTRIES: [wgpu::BindGroupLayoutEntry; 2] = [
-    entry(0, {
-        let view_dimension = wgpu::TextureViewDimension::D2;
-        wgpu::BindingType::Texture { sample_type: wgpu::TextureSampleType::Uint, view_dimension, multisampled: false }
-    }),
-    entry(1, {
-        let min_binding_size = None;
-        wgpu::BindingType::Buffer { ty: wgpu::BufferBindingType::Uniform, has_dynamic_offset: false, min_binding_size }
-    }),
-];
+const ENTRIES: [wgpu::BindGroupLayoutEntry; 2] =
+    [texture(0, wgpu::TextureSampleType::Uint, wgpu::TextureViewDimension::D2), uniform(1)];
+
+/// A texture that a pass reads.
+pub(super) const fn texture(
+    binding: u32,
+    sample_type: wgpu::TextureSampleType,
+    view_dimension: wgpu::TextureViewDimension,
+) -> wgpu::BindGroupLayoutEntry {
+    entry(binding, wgpu::BindingType::Texture { sample_type, view_dimension, multisampled: false })
+}
+
+/// Numbers that a pass reads.
+pub(super) const fn uniform(binding: u32) -> wgpu::BindGroupLayoutEntry {
+    let (ty, min_binding_size) = (wgpu::BufferBindingType::Uniform, None);
+    entry(binding, wgpu::BindingType::Buffer { ty, has_dynamic_offset: false, min_binding_size })
+}
 
 const fn entry(binding: u32, ty: wgpu::BindingType) -> wgpu::BindGroupLayoutEntry {
     wgpu::BindGroupLayoutEntry { binding, visibility: wgpu::ShaderStages::FRAGMENT, ty, count: None }

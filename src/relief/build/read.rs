@@ -51,6 +51,7 @@ pub(super) fn plane(gpu: &Gpu, texture: &wgpu::Texture) -> Result<Plane, RenderE
     let mips: Vec<Level<'_>> = (0..texture.mip_level_count()).map(|mip| Level::whole(texture, mip)).collect();
     let words = match texture.format() {
         wgpu::TextureFormat::R16Uint => Words::R16(texels(gpu, &mips)?),
+        wgpu::TextureFormat::Rg16Uint => Words::Rg16(texels(gpu, &mips)?),
         wgpu::TextureFormat::R32Uint => Words::R32(texels(gpu, &mips)?.concat()),
         wgpu::TextureFormat::Rg32Uint => Words::Rg32(texels(gpu, &mips)?),
         wgpu::TextureFormat::Rgba32Uint => Words::Rgba32(texels(gpu, &mips)?.concat()),

@@ -11,6 +11,7 @@ mod mirror;
 mod node_row;
 mod quadrant;
 mod report;
+mod rings;
 mod round;
 mod square;
 mod stored;
@@ -19,7 +20,8 @@ mod windows;
 pub use code::Format;
 pub use map::{ConeMap, Cones};
 pub use report::{Report, report};
-pub use stored::{RATIO, SLOPE};
+pub use rings::{NEAR, Ring, rings};
+pub use stored::{RATIO, SLOPE, STEEPER};
 
 #[cfg(test)]
 mod tests;

@@ -5,7 +5,7 @@
 //! Near a cell they grow texel by texel, and what is found is what there is. Farther away they grow by nodes of two, four, eight
 //! texels, counted as near as they can be: there a cone may be a few hundredths steeper than it has to be, and that of one quadrant
 //! is narrowed by what lies in the cell's node behind it too; it is never less steep than it has to be. All of it is f32 and in an
-//! order that leaves no choice, so that a device that does the same finds the same (`hosts/relief/cones.wgsl`).
+//! order that leaves no choice, so that a device that does the same finds the same (`hosts/relief/build_cones.wgsl`).
 
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -14,13 +14,11 @@ use rayon::prelude::*;
 use super::map::steps;
 use super::mirror::{Mirror, mirrors};
 use super::node_row::NodeRow;
+use super::rings::{Ring, rings};
 use super::stored::Stored;
 use super::windows::{Windows, larger, steepen};
 use crate::heightfield::pyramid::{Level, maxima};
 use crate::heightfield::{Border, Heights};
-
-/// Texels up to which squares grow one by one, and nodes of any size.
-const NEAR: usize = 32;
 
 /// Rows of cells to a task at least, and rows of nodes.
 const BAND: [usize; 2] = [64, 8];
@@ -64,16 +62,16 @@ impl Land {
     /// `done` is told of each task that is.
     fn slopes(&self, done: &(dyn Fn() + Sync)) -> Vec<f32> {
         let [width, height] = self.tips[0].size.map(|side| side as usize);
-        let farthest = NEAR.min(width.max(height) - 1);
+        let levels = rings(self.wrap, self.tips[0].size);
         let mut slopes = vec![0.0; width * height];
         slopes.par_chunks_mut(width * band(0)).enumerate().for_each(|(at, slopes)| {
-            self.near(at * band(0), farthest, slopes);
-            self.diagonals(at * band(0), farthest, slopes);
+            self.near(at * band(0), &levels[0], slopes);
+            self.diagonals(at * band(0), &levels[0], slopes);
             done();
         });
-        for (level, rings) in rings(self.wrap, self.tips[0].size) {
+        for (level, rings) in levels.iter().enumerate().skip(1) {
             slopes.par_chunks_mut((width * band(level)) << level).enumerate().for_each(|(at, slopes)| {
-                self.far(level, at * band(level), &rings, slopes);
+                self.far(level, at * band(level), rings, slopes);
                 done();
             });
         }
@@ -83,7 +81,7 @@ impl Land {
     /// Tasks of [`Self::slopes`].
     fn tasks(&self) -> u64 {
         let size = self.tips[0].size;
-        let levels = std::iter::once(0).chain(rings(self.wrap, size).into_iter().map(|(level, _)| level));
+        let levels = 0..rings(self.wrap, size).len();
         levels.map(|level| (size[1] as usize).div_ceil(band(level) << level) as u64).sum()
     }
 
@@ -93,15 +91,15 @@ impl Land {
         self.tips[0].values[row * width..].chunks_exact(width)
     }
 
-    /// Of rows from one on: what is up to so many texels away.
-    fn near(&self, from: usize, farthest: usize, slopes: &mut [f32]) {
+    /// Of rows from one on: what is in rings of texels.
+    fn near(&self, from: usize, rings: &[Ring], slopes: &mut [f32]) {
         let width = self.tips[0].size[0] as usize;
-        let mut windows = Windows::new(&self.tips[0], self.wrap, from..from + slopes.len() / width, farthest);
-        for away in 1..=farthest {
+        let mut windows = Windows::new(&self.tips[0], self.wrap, from..from + slopes.len() / width, rings.len());
+        for Ring { reach, share, .. } in rings {
             windows.grow();
             for (y, (slopes, tips)) in slopes.chunks_exact_mut(width).zip(self.tips_from(from)).enumerate() {
                 for mirror in self.mirrors {
-                    steepen(slopes, tips, windows.row(y, before(*mirror, away)), 1.0 / away as f32);
+                    steepen(slopes, tips, windows.row(y, before(*mirror, *reach)), *share);
                 }
             }
         }
@@ -110,19 +108,17 @@ impl Land {
     /// Over a cell that the diagonal crosses, from (a, a) to (a + 1, a + 1) away, surface and distance are quadratics along it, and
     /// their middle control points have to compare as well: half the sum of the two corners beside it, and a + 1/2. Everywhere
     /// else what is true at the corners of a cell is true in it.
-    fn diagonals(&self, from: usize, farthest: usize, slopes: &mut [f32]) {
+    fn diagonals(&self, from: usize, rings: &[Ring], slopes: &mut [f32]) {
         let width = self.tips[0].size[0] as usize;
         let rows = from..from + slopes.len() / width;
-        let ground = Windows::new(&self.heights, self.wrap, rows, farthest + 1);
+        let ground = Windows::new(&self.heights, self.wrap, rows, rings.len() + 1);
         for (y, (slopes, tips)) in slopes.chunks_exact_mut(width).zip(self.tips_from(from)).enumerate() {
-            for (mirror, away) in self.mirrors.iter().flat_map(|mirror| (0..farthest).map(move |away| (*mirror, away)))
-            {
-                let beside = ground.corner(y, mirror, [away + 1, away]);
-                let below = ground.corner(y, mirror, [away, away + 1]);
-                let share = 1.0 / (2 * away + 1) as f32;
+            for (mirror, ring) in self.mirrors.iter().flat_map(|mirror| rings.iter().map(move |ring| (*mirror, ring))) {
+                let beside = ground.corner(y, mirror, [ring.reach, ring.reach - 1]);
+                let below = ground.corner(y, mirror, [ring.reach - 1, ring.reach]);
                 for (((slope, tip), beside), below) in slopes.iter_mut().zip(tips).zip(beside).zip(below) {
                     let climb = larger(0.0, beside - tip) + larger(0.0, below - tip);
-                    *slope = larger(*slope, climb * share);
+                    *slope = larger(*slope, climb * ring.middle);
                 }
             }
         }
@@ -158,30 +154,4 @@ fn before(mirror: Mirror, reach: usize) -> [usize; 2] {
 /// Rows of nodes to a task.
 fn band(level: usize) -> usize {
     (BAND[0] >> level).max(BAND[1])
-}
-
-/// Squares of nodes: how often they have grown, and one over the least distance of what is new in them.
-struct Ring {
-    reach: usize,
-    share: f32,
-}
-
-/// The rings of each level of nodes, by which everything is reached that is farther than [`NEAR`].
-fn rings(wrap: bool, size: [u32; 2]) -> Vec<(usize, Vec<Ring>)> {
-    let size = size.map(|side| side as usize);
-    let farthest = size[0].max(size[1]) - 1;
-    let (mut covered, mut levels) = (NEAR, Vec::new());
-    while covered < farthest {
-        let level = levels.len() + 1;
-        let node = 1 << level;
-        // The last node of a map that wraps may be a part of one: beyond it everything is nearer by what is missing.
-        let lack = size.map(|side| if wrap { side.next_multiple_of(node) - side } else { 0 });
-        let lack = lack[0].max(lack[1]);
-        let reaches = (covered + lack) / node + 1..=NEAR.min((farthest + lack).div_ceil(node));
-        covered = reaches.end() * node - lack;
-        // Half a texel for the middles of diagonals.
-        let share = |reach: usize| 1.0 / (((reach - 1) * node - lack) as f32 - 0.5);
-        levels.push((level, reaches.map(|reach| Ring { reach, share: share(reach) }).collect()));
-    }
-    levels
 }

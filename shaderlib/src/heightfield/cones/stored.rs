@@ -11,7 +11,7 @@ pub const SLOPE: Format = Format { least: -14 };
 
 /// What square cones are steeper than they need be: 2^-14 so that a shader's roundings cannot leave them, and 2^-21 for the four
 /// roundings of a slope in f32.
-const STEEPER: f32 = 1.0 + 1.0 / (1 << 14) as f32 + 1.0 / (1 << 21) as f32;
+pub const STEEPER: f32 = 1.0 + 1.0 / (1 << 14) as f32 + 1.0 / (1 << 21) as f32;
 
 /// More than f64 rounds in a few operations, and far less than a code.
 const ROUNDING: f64 = 1e-12;

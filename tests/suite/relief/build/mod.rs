@@ -1,6 +1,7 @@
 //! Bounds and mips that the device builds, against those of the host.
 
 mod changes;
+mod cones;
 mod pyramids;
 
 use terrane::relief::Built;
@@ -112,7 +113,7 @@ fn a_map_of_floats_and_cones_are_refused() {
     };
     let error = refused(Texels::F32(vec![0.5]), &ALL);
     assert!(error.contains("quantise"), "{error}");
-    for cones in [Bounds::Cones(Cones::Robust), Bounds::Quadrants].map(MapTexture::Bounds) {
+    for cones in [Cones::Step, Cones::Relaxed].map(|cones| MapTexture::Bounds(Bounds::Cones(cones))) {
         assert!(!Built::builds(cones));
         let error = refused(Texels::U8(vec![1]), &[MapTexture::Heights, cones]);
         assert!(error.contains(cones.name()), "{error}");

@@ -1,0 +1,86 @@
+//! Cones over the cells of a map and its mips.
+//!
+//! ```text
+//! heights --Quadtrees--> tips and maxima of them --Table--> of squares --Slopes--> slopes --codes--> a texture
+//! ```
+
+mod beside;
+mod slopes;
+mod table;
+
+use terrane_shaderlib::heightfield::Border;
+use terrane_shaderlib::heightfield::cones::{SLOPE, STEEPER, rings};
+use terrane_shaderlib::heightfield::pyramid::{Bound, level_sizes};
+use terrane_shaderlib::relief::Extent;
+
+use self::beside::Beside;
+use self::slopes::Slopes;
+use self::table::Tables;
+use super::level::Level;
+use super::passes::{Pass, Passes};
+use super::quadtrees::Quadtrees;
+
+/// What draws them.
+#[derive(Debug)]
+pub(super) struct Squares {
+    wraps: bool,
+    /// Columns and rows of texels, mip by mip: of a map that ends its own, as nothing beyond its border counts.
+    sizes: Vec<[u32; 2]>,
+    tips: Quadtrees,
+    tables: Tables,
+    slopes: Slopes,
+    codes: Pass,
+}
+
+/// Which slopes are kept of a cell.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Ways {
+    /// The steepest.
+    All,
+    /// Those toward the four quadrants.
+    Quadrants,
+    /// The one toward a quadrant, by its number.
+    Quadrant(u8),
+}
+
+impl Squares {
+    /// Those of a map.
+    pub(super) fn new(
+        passes: &Passes<'_>,
+        format: wgpu::TextureFormat,
+        (extent, border): (&Extent, Border),
+        ways: Ways,
+    ) -> Self {
+        let wraps = border == Border::Wrap;
+        let size = |mip: u32| if wraps { extent.filled.map(|side| side >> mip) } else { extent.size };
+        let sizes: Vec<[u32; 2]> = (0..extent.mips).map(size).collect();
+        let trees = sizes.iter().map(|size| border.cells(*size));
+        let trees = trees.map(|finest| (finest, level_sizes(finest).count() as u32));
+        let zero = f64::from(SLOPE.value(0).to_bits());
+        let (entry, way) = match ways {
+            Ways::All => ("build_cone", 0),
+            Ways::Quadrant(number) => ("build_cone", number % 4),
+            Ways::Quadrants => ("build_quadrants", 0),
+        };
+        let steeper = [("build_steeper", f64::from(STEEPER)), ("build_gentlest", zero), ("build_way", way.into())];
+        let layout = Beside::layout(passes.gpu);
+        Self {
+            wraps,
+            tips: Quadtrees::new(passes, wgpu::TextureFormat::R16Uint, Bound::CellMax, trees),
+            sizes,
+            tables: Tables::new(passes, wraps),
+            codes: passes.pass_beside(entry, format, &steeper, Some(&layout)),
+            slopes: Slopes::new(passes, layout, ways),
+        }
+    }
+
+    /// Draws all cones of a mip, since a single texel may narrow any. What that takes besides goes when the device is done.
+    pub(super) fn update(&self, encoder: &mut wgpu::CommandEncoder, image: Level<'_>, mip: u32, heights: Level<'_>) {
+        let heights = Level { size: self.sizes[mip as usize], ..heights };
+        let tips = self.tips.redraw(encoder, mip as usize, heights);
+        let table = self.tables.room(heights.size);
+        table.ground(encoder, heights);
+        let slopes = self.slopes.draw(encoder, &table, &tips, &rings(self.wraps, heights.size));
+        self.codes.draw_beside(encoder, [tips[0], image], &slopes);
+    }
+}

@@ -1,0 +1,78 @@
+//! Cones that the device builds.
+
+use terrane::relief::Built;
+use terrane::render::Gpu;
+use terrane_shaderlib::heightfield::adversary::{Depth, LANDS, Random, SIZES, map};
+use terrane_shaderlib::heightfield::cones::{Cones, rings};
+use terrane_shaderlib::heightfield::{Border, Heights};
+use terrane_shaderlib::relief::{Bounds, MapTexture};
+
+use super::changes::{changed, rectangles};
+use super::equal;
+use crate::relief::device;
+
+const SQUARE: [MapTexture; 3] = [
+    MapTexture::Bounds(Bounds::Cones(Cones::Robust)),
+    MapTexture::Bounds(Bounds::Quadrants),
+    MapTexture::Bounds(Bounds::Cones(Cones::Quadrant(2))),
+];
+
+/// Maps on which most of what cones see is farther away than squares grow texel by texel.
+const FAR: [([u32; 2], Border); 4] = [
+    ([192, 135], Border::Clamp),
+    ([256, 64], Border::Wrap),
+    // Nodes larger than the map is high.
+    ([512, 1], Border::Wrap),
+    ([2, 300], Border::Clamp),
+];
+
+/// Maps of every size, border and depth, each of the next land.
+fn maps() -> impl Iterator<Item = (Heights, String)> {
+    let small = SIZES.into_iter().flat_map(|size| [Border::Wrap, Border::Clamp].map(|border| (size, border)));
+    let sizes = small.chain(FAR).flat_map(|one| [Depth::Eight, Depth::Sixteen].map(|depth| (one, depth)));
+    sizes.enumerate().map(|(index, ((size, border), depth))| {
+        let land = LANDS[index * 4 % LANDS.len()];
+        let heights = map(land, size, border, depth, index as u64).expect("a map");
+        (heights, format!("{land:?} {depth:?}"))
+    })
+}
+
+#[test]
+fn square_cones_are_those_of_the_host() {
+    let Some(gpu) = device() else { return };
+    for (heights, what) in maps() {
+        let built = Built::new(&gpu, &heights, &SQUARE).expect("the device takes it");
+        equal(&built, &SQUARE, &heights, &what);
+    }
+}
+
+#[test]
+fn distant_ground_is_seen_through_every_level() {
+    let Some(gpu) = device() else { return };
+    for (size, border) in FAR {
+        assert!(rings(border == Border::Wrap, size).len() > 1, "{size:?} has no level but the first");
+        for land in LANDS {
+            let heights = map(land, size, border, Depth::Sixteen, 7).expect("a map");
+            let built = Built::new(&gpu, &heights, &SQUARE[1..2]).expect("the device takes it");
+            equal(&built, &SQUARE[1..2], &heights, &format!("{land:?}"));
+        }
+    }
+}
+
+fn updated(gpu: &Gpu, size: [u32; 2], border: Border, textures: &[MapTexture]) {
+    let mut random = Random::new(u64::from(size[0]));
+    let mut heights = map(LANDS[7], size, border, Depth::Sixteen, 5).expect("a map");
+    let built = Built::new(gpu, &heights, textures).expect("the device takes it");
+    for rectangle in rectangles(size, &mut random) {
+        heights = changed(&heights, &rectangle, &mut random);
+        built.update(&heights, &rectangle).expect("the device takes it");
+        equal(&built, textures, &heights, &format!("{rectangle:?}"));
+    }
+}
+
+#[test]
+fn a_changed_texel_changes_square_cones_wherever_it_is_seen() {
+    let Some(gpu) = device() else { return };
+    let small = [([16, 16], Border::Wrap), ([7, 5], Border::Clamp), ([15, 64], Border::Wrap)];
+    small.into_iter().chain(FAR).for_each(|(size, border)| updated(&gpu, size, border, &SQUARE[..2]));
+}
