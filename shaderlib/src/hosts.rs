@@ -92,7 +92,8 @@ pub const WGPU_RESOLVE: &[SourceFile] = &[host!("wgpu/resolve.wgsl")];
 
 /// Relief's own: mips and bounds of a height map, made on the device. Entry points `build_vertex`, and for one level each
 /// `build_fill` and `build_mip`, `build_cells` and `build_nodes`, `build_same`, `build_patches` and `build_wide`; for square cones
-/// `build_surrounded`, `build_joined`, `build_steepened`, and `build_cone` or `build_quadrants`.
+/// `build_surrounded`, `build_joined`, `build_steepened`, and `build_cone` or `build_quadrants`; for round ones
+/// `build_counting`, `build_counting_nodes`, `build_searched` and `build_round_cone`.
 pub const WGPU_RELIEF_BUILD: &[SourceFile] = &[
     host!("relief/build.wgsl"),
     host!("relief/build_mips.wgsl"),
@@ -102,6 +103,7 @@ pub const WGPU_RELIEF_BUILD: &[SourceFile] = &[
     host!("relief/build_cones_squares.wgsl"),
     host!("relief/build_cones.wgsl"),
     host!("relief/build_cones_codes.wgsl"),
+    host!("relief/build_cones_round.wgsl"),
 ];
 
 /// The texts of a host, for materials without relief and with.

@@ -5,7 +5,7 @@ use terrane_shaderlib::heightfield::cones::Cones;
 use terrane_shaderlib::heightfield::pyramid::Bound;
 use terrane_shaderlib::relief::{Bounds, Extent, MapTexture, Region};
 
-use super::cones::{Squares, Ways};
+use super::cones::{Rounds, Squares, Ways};
 use super::level::{Level, texture};
 use super::mips::Mips;
 use super::passes::{Pass, Passes};
@@ -32,6 +32,8 @@ enum Drawing {
     Wide(Strip),
     /// Square cones over all cells.
     Squares(Box<Squares>),
+    /// Round cones over all texels.
+    Rounds(Box<Rounds>),
 }
 
 /// What has been drawn of a mip.
@@ -66,9 +68,13 @@ impl Image {
         }
         let format = format(wanted);
         let squares = |ways: Ways| Drawing::Squares(Box::new(Squares::new(passes, format, (extent, border), ways)));
+        let rounds =
+            |is_relaxed: bool| Drawing::Rounds(Box::new(Rounds::new(passes, format, (extent, border), is_relaxed)));
         let drawing = match (wanted, bound(wanted)) {
             (MapTexture::Patches, _) => Drawing::Patches(passes.pass("build_patches", format, &[])),
             (MapTexture::Bounds(Bounds::Wide), _) => Drawing::Wide(Strip::new(passes, format, extent)),
+            (MapTexture::Bounds(Bounds::Cones(Cones::Step)), _) => rounds(false),
+            (MapTexture::Bounds(Bounds::Cones(Cones::Relaxed)), _) => rounds(true),
             (MapTexture::Bounds(Bounds::Cones(Cones::Robust)), _) => squares(Ways::All),
             (MapTexture::Bounds(Bounds::Cones(Cones::Quadrant(number))), _) => squares(Ways::Quadrant(number)),
             (MapTexture::Bounds(Bounds::Quadrants), _) => squares(Ways::Quadrants),
@@ -96,6 +102,9 @@ impl Image {
             }
             Drawing::Squares(squares) => {
                 squares.update(encoder, Level::whole(&self.texture, change.mip), change.mip, change.heights);
+            }
+            Drawing::Rounds(rounds) => {
+                rounds.update(encoder, Level::whole(&self.texture, change.mip), change.mip, change.heights);
             }
             Drawing::Wide(strip) => strip.update(encoder, image, change.mip, change.levels(Bound::CellMax)),
         }

@@ -18,10 +18,9 @@ mod read;
 mod source;
 mod strip;
 
-use terrane_shaderlib::heightfield::cones::Cones;
 use terrane_shaderlib::heightfield::pyramid::Bound;
 use terrane_shaderlib::heightfield::{Heights, Texels};
-use terrane_shaderlib::relief::{Bounds, Extent, MapTexture, Plane, Region, Unplaceable};
+use terrane_shaderlib::relief::{Extent, MapTexture, Plane, Region, Unplaceable};
 
 use self::image::{Change, Image};
 use self::mips::Mips;
@@ -48,9 +47,11 @@ impl<'a> Built<'a> {
     /// Uploads a map and builds textures over it.
     ///
     /// # Errors
-    /// [`RenderError::Scene`] for a map of floats or a texture that is none of [`Self::builds`]; what the device has against it.
+    /// [`RenderError::Scene`] for a map of floats; what the device has against it.
     pub fn new(gpu: &'a Gpu, heights: &Heights, textures: &[MapTexture]) -> Result<Self, RenderError> {
-        check(heights, textures)?;
+        if let Texels::F32(_) = heights.texels() {
+            return Err(RenderError::Scene(Unplaceable::Floats.to_string()));
+        }
         let extent = Extent::new(heights);
         let passes = Passes::new(gpu)?;
         let image = |mips: &Mips, texture| Image::new(&passes, (&extent, heights.border()), mips, texture);
@@ -67,12 +68,6 @@ impl<'a> Built<'a> {
         })?;
         built.update(heights, &extent.size.map(|side| 0..side))?;
         Ok(built)
-    }
-
-    /// Whether the device builds a texture: all but those of round cones.
-    #[must_use]
-    pub fn builds(texture: MapTexture) -> bool {
-        !matches!(texture, MapTexture::Bounds(Bounds::Cones(Cones::Step | Cones::Relaxed)))
     }
 
     /// Brings what depends on a rectangle of changed texels up to date: columns and rows inside the map.
@@ -120,18 +115,6 @@ impl<'a> Built<'a> {
             change.quadtrees.push((quadtrees.bound, levels));
         }
         change
-    }
-}
-
-fn check(heights: &Heights, textures: &[MapTexture]) -> Result<(), RenderError> {
-    if let Texels::F32(_) = heights.texels() {
-        return Err(RenderError::Scene(Unplaceable::Floats.to_string()));
-    }
-    match textures.iter().find(|texture| !Built::builds(**texture)) {
-        Some(texture) => {
-            Err(RenderError::Scene(format!("the device builds no {}: place the map instead", texture.name())))
-        }
-        None => Ok(()),
     }
 }
 

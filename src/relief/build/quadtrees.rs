@@ -41,6 +41,18 @@ impl Quadtrees {
         ];
         let (entry, with) =
             if bound == Bound::TexelMax { ("build_same", &[][..]) } else { ("build_cells", &constants[..]) };
+        let finest = passes.pass(entry, format, with);
+        let nodes = passes.pass("build_nodes", format, &constants);
+        Self { bound, ..Self::with(passes, format, [finest, nodes], trees) }
+    }
+
+    /// The same for passes of their own: over texels, and over nodes.
+    pub(super) fn with(
+        passes: &Passes<'_>,
+        format: wgpu::TextureFormat,
+        [finest, nodes]: [Pass; 2],
+        trees: impl Iterator<Item = ([u32; 2], u32)>,
+    ) -> Self {
         let tree = |(finest, levels): ([u32; 2], u32)| Quadtree {
             texture: texture(
                 passes.gpu,
@@ -51,12 +63,7 @@ impl Quadtrees {
             ),
             sizes: level_sizes(finest).take(levels as usize).collect(),
         };
-        Self {
-            bound,
-            finest: passes.pass(entry, format, with),
-            nodes: passes.pass("build_nodes", format, &constants),
-            trees: trees.map(tree).collect(),
-        }
+        Self { bound: Bound::TexelMax, finest, nodes, trees: trees.map(tree).collect() }
     }
 
     /// The texture of a pyramid.

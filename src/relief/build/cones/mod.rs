@@ -5,6 +5,7 @@
 //! ```
 
 mod beside;
+mod round;
 mod slopes;
 mod table;
 
@@ -20,11 +21,13 @@ use super::level::Level;
 use super::passes::{Pass, Passes};
 use super::quadtrees::Quadtrees;
 
+pub(super) use self::round::Rounds;
+
 /// What draws them.
 #[derive(Debug)]
 pub(super) struct Squares {
     wraps: bool,
-    /// Columns and rows of texels, mip by mip: of a map that ends its own, as nothing beyond its border counts.
+    /// Columns and rows of texels, mip by mip.
     sizes: Vec<[u32; 2]>,
     tips: Quadtrees,
     tables: Tables,
@@ -52,8 +55,7 @@ impl Squares {
         ways: Ways,
     ) -> Self {
         let wraps = border == Border::Wrap;
-        let size = |mip: u32| if wraps { extent.filled.map(|side| side >> mip) } else { extent.size };
-        let sizes: Vec<[u32; 2]> = (0..extent.mips).map(size).collect();
+        let sizes = sizes(extent, border);
         let trees = sizes.iter().map(|size| border.cells(*size));
         let trees = trees.map(|finest| (finest, level_sizes(finest).count() as u32));
         let zero = f64::from(SLOPE.value(0).to_bits());
@@ -83,4 +85,11 @@ impl Squares {
         let slopes = self.slopes.draw(encoder, &table, &tips, &rings(self.wraps, heights.size));
         self.codes.draw_beside(encoder, [tips[0], image], &slopes);
     }
+}
+
+/// Columns and rows of the texels that cones stand on and are narrowed by, mip by mip. Of a map that ends
+/// they are its own, as nothing beyond its border counts.
+fn sizes(extent: &Extent, border: Border) -> Vec<[u32; 2]> {
+    let size = |mip: u32| if border == Border::Wrap { extent.filled.map(|side| side >> mip) } else { extent.size };
+    (0..extent.mips).map(size).collect()
 }

@@ -5,7 +5,7 @@ use terrane::render::Gpu;
 use terrane_shaderlib::heightfield::adversary::{Depth, LANDS, Random, SIZES, map};
 use terrane_shaderlib::heightfield::cones::{Cones, rings};
 use terrane_shaderlib::heightfield::{Border, Heights};
-use terrane_shaderlib::relief::{Bounds, MapTexture};
+use terrane_shaderlib::relief::{Bounds, MapTexture, planes};
 
 use super::changes::{changed, rectangles};
 use super::equal;
@@ -16,6 +16,9 @@ const SQUARE: [MapTexture; 3] = [
     MapTexture::Bounds(Bounds::Quadrants),
     MapTexture::Bounds(Bounds::Cones(Cones::Quadrant(2))),
 ];
+
+const ROUND: [MapTexture; 2] =
+    [MapTexture::Bounds(Bounds::Cones(Cones::Step)), MapTexture::Bounds(Bounds::Cones(Cones::Relaxed))];
 
 /// Maps on which most of what cones see is farther away than squares grow texel by texel.
 const FAR: [([u32; 2], Border); 4] = [
@@ -66,13 +69,57 @@ fn updated(gpu: &Gpu, size: [u32; 2], border: Border, textures: &[MapTexture]) {
     for rectangle in rectangles(size, &mut random) {
         heights = changed(&heights, &rectangle, &mut random);
         built.update(&heights, &rectangle).expect("the device takes it");
-        equal(&built, textures, &heights, &format!("{rectangle:?}"));
+        let what = format!("{rectangle:?}");
+        if textures == ROUND {
+            within_a_code(&built, &heights, &what);
+        } else {
+            equal(&built, textures, &heights, &what);
+        }
     }
 }
 
 #[test]
-fn a_changed_texel_changes_square_cones_wherever_it_is_seen() {
+fn a_changed_texel_changes_cones_wherever_it_is_seen() {
     let Some(gpu) = device() else { return };
     let small = [([16, 16], Border::Wrap), ([7, 5], Border::Clamp), ([15, 64], Border::Wrap)];
     small.into_iter().chain(FAR).for_each(|(size, border)| updated(&gpu, size, border, &SQUARE[..2]));
+    small.into_iter().chain(FAR).for_each(|(size, border)| updated(&gpu, size, border, &ROUND));
+}
+
+/// Whether round cones are those of the host or one code narrower, and no wider; how many are narrower, of how many.
+#[track_caller]
+fn within_a_code(built: &Built<'_>, heights: &Heights, what: &str) -> [usize; 2] {
+    let device = built.read().expect("the device answers");
+    let host = planes(heights, &ROUND).expect("whole steps");
+    let mut count = [0; 2];
+    for (texture, (device, host)) in ROUND.iter().zip(device.iter().zip(&host)) {
+        assert_eq!((device.size, device.mips()), (host.size, host.mips()));
+        let [width, height] = host.size;
+        let rows = (0..host.mips()).flat_map(|mip| (0..height).map(move |y| (mip, y)));
+        for (mip, at) in rows.flat_map(|(mip, y)| (0..width).map(move |x| (mip, [x, y]))) {
+            let Some([tip, code, ..]) = host.texel(mip, at) else { continue };
+            let found = device.texel(mip, at).expect("as large");
+            let (size, border) = (heights.size(), heights.border());
+            let narrower = code.wrapping_sub(found[1]);
+            assert!(
+                found[0] == tip && narrower <= 1,
+                "{texture:?} of {size:?} {border:?} {what}: {mip} {at:?}: {found:?} for {tip} {code}"
+            );
+            count = [count[0] + narrower as usize, count[1] + 1];
+        }
+    }
+    count
+}
+
+#[test]
+fn round_cones_are_those_of_the_host_or_a_code_narrower() {
+    let Some(gpu) = device() else { return };
+    let mut counts = [0; 2];
+    for (heights, what) in maps() {
+        let built = Built::new(&gpu, &heights, &ROUND).expect("the device takes it");
+        let [narrower, all] = within_a_code(&built, &heights, &what);
+        counts = [counts[0] + narrower, counts[1] + all];
+    }
+    // A ratio that is a code's own becomes the next one, as those of whole distances and climbs of a power of two are.
+    assert!(counts[0] * 4 < counts[1], "{counts:?} are narrower");
 }

@@ -7,7 +7,6 @@ mod pyramids;
 use terrane::relief::Built;
 use terrane::render::Gpu;
 use terrane_shaderlib::heightfield::adversary::{Depth, LANDS, Random, SIZES, map};
-use terrane_shaderlib::heightfield::cones::Cones;
 use terrane_shaderlib::heightfield::{Border, Heights, Texels};
 use terrane_shaderlib::hosts;
 use terrane_shaderlib::relief::{Bounds, MapTexture, Plane, planes};
@@ -105,19 +104,11 @@ fn a_part_brought_up_to_date_equals_the_whole_built_anew() {
 }
 
 #[test]
-fn a_map_of_floats_and_cones_are_refused() {
+fn a_map_of_floats_is_refused() {
     let Some(gpu) = device() else { return };
-    let refused = |texels, textures: &[MapTexture]| {
-        let heights = Heights::new([1, 1], Border::Wrap, texels).expect("a map");
-        Built::new(&gpu, &heights, textures).expect_err("it is refused").to_string()
-    };
-    let error = refused(Texels::F32(vec![0.5]), &ALL);
+    let heights = Heights::new([1, 1], Border::Wrap, Texels::F32(vec![0.5])).expect("a map");
+    let error = Built::new(&gpu, &heights, &ALL).expect_err("it is refused").to_string();
     assert!(error.contains("quantise"), "{error}");
-    for cones in [Cones::Step, Cones::Relaxed].map(|cones| MapTexture::Bounds(Bounds::Cones(cones))) {
-        assert!(!Built::builds(cones));
-        let error = refused(Texels::U8(vec![1]), &[MapTexture::Heights, cones]);
-        assert!(error.contains(cones.name()), "{error}");
-    }
 }
 
 #[test]
