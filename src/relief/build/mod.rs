@@ -1,11 +1,12 @@
 //! A map placed by the device itself: the textures of [`terrane_shaderlib::relief::planes`] and the levels of
-//! [`terrane_shaderlib::heightfield::pyramid::Pyramid`], equal to the last bit.
+//! [`terrane_shaderlib::heightfield::pyramid::Pyramid`], equal to the last bit but for round cones.
 //!
 //! ```text
 //! Heights --Source--> its texels --Mips--> heights --Quadtrees--> levels of a bound --Image--> textures
+//!                                          heights --Squares, Rounds--> cones
 //! ```
 //!
-//! Every arrow is a pass that draws, and draws only what a rectangle has changed.
+//! Every arrow is a pass that draws, and draws only what a rectangle has changed; of cones it draws all.
 
 mod cones;
 mod image;
@@ -32,6 +33,11 @@ use crate::render::{Gpu, RenderError};
 pub use self::pyramid::BuiltPyramid;
 
 /// A map, its mips and the bounds of all of them, as textures that shaders read.
+///
+/// Square cones are those of the host. Round ones are never wider and at most one code narrower, which is a 2048th of the ratio.
+/// While a mip's cones are built they take, beside the texture, for each of its texels 17 bytes of tips and of squares and 8 of
+/// slopes, 32 for the four quadrants, or 11 of maxima and 16 of searches for round ones; what no later change needs goes when the
+/// device is done. Squares reach 33 texels beyond the border, so a side may be 66 shorter than the device's longest at most.
 #[derive(Debug)]
 pub struct Built<'a> {
     gpu: &'a Gpu,
@@ -70,7 +76,8 @@ impl<'a> Built<'a> {
         Ok(built)
     }
 
-    /// Brings what depends on a rectangle of changed texels up to date: columns and rows inside the map.
+    /// Brings what depends on a rectangle of changed texels up to date: columns and rows inside the map. Cones are built anew,
+    /// whatever has changed: one texel may be the steepest that any of them sees.
     ///
     /// # Errors
     /// Those of [`Self::new`].
