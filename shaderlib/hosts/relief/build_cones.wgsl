@@ -7,9 +7,7 @@
 @group(1) @binding(0) var build_table: texture_2d_array<u32>;
 /// The slopes to what lies nearer, toward the four quadrants: bit 0 of their number is set toward smaller x, bit 1 toward smaller y.
 @group(1) @binding(1) var build_slopes: texture_2d<f32>;
-/// The height that nothing on the map is above.
-@group(1) @binding(2) var build_summit: texture_2d<u32>;
-@group(1) @binding(3) var<uniform> build_rings: BuildRings;
+@group(1) @binding(2) var<uniform> build_rings: BuildRings;
 
 /// The layer of heights.
 const build_ground: i32 = 6;
@@ -40,30 +38,28 @@ struct BuildRings {
 fn build_steepened(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let at = vec2i(position.xy);
     let tip = build_texel(at);
-    let most = f32(textureLoad(build_summit, vec2i(0), 0i).r - tip);
     let node = (at >> vec2u(build_rings.level)) + build_around;
+    // The last ring's squares hold those of all others.
+    let most = vec4f(build_highest(node, build_rings.rings[max(build_rings.count, 1i) - 1i]) - vec4u(tip));
     var slopes = build_slopes_at(at);
     var index = 0i;
-    // Shares fall from ring to ring: where not even the summit would be steeper, nothing farther is.
-    while index < build_rings.count && build_share(index) * most > build_least(slopes) {
+    // Shares fall from ring to ring: where not even the highest of all would be steeper, nothing farther is.
+    while index < build_rings.count && any(build_share(index) * most > slopes) {
         let ring = build_rings.rings[index];
         slopes = max(slopes, vec4f(build_highest(node, ring) - vec4u(tip)) * ring.share);
         if ring.middle > 0.0 {
             slopes = max(slopes, vec4f(build_middles(node, ring.reach, tip)) * ring.middle);
         }
+        slopes = select(slopes, vec4f(build_largest(slopes)), build_is_round_about);
         index += 1i;
     }
-    return select(slopes, vec4f(build_largest(slopes)), build_is_round_about);
+    return slopes;
 }
 
 /// The slopes that are stored of a cell.
 fn build_slopes_at(at: vec2i) -> vec4f {
     let stored = textureLoad(build_slopes, at, 0i);
     return select(stored, stored.rrrr, build_is_round_about);
-}
-
-fn build_least(slopes: vec4f) -> f32 {
-    return min(min(slopes.x, slopes.y), min(slopes.z, slopes.w));
 }
 
 fn build_largest(slopes: vec4f) -> f32 {

@@ -14,8 +14,6 @@ pub(super) struct Beside<'a> {
     pub(super) table: &'a wgpu::Texture,
     /// The slopes to what is nearer.
     pub(super) slopes: Level<'a>,
-    /// The one node over the whole mip.
-    pub(super) summit: Level<'a>,
     /// The rings of a level.
     pub(super) rings: (usize, &'a [Ring]),
 }
@@ -46,8 +44,7 @@ impl Beside<'_> {
             entries: &[
                 texture(0, Sample::Uint, Dimension::D2Array),
                 texture(1, Sample::Float { filterable: false }, Dimension::D2),
-                texture(2, Sample::Uint, Dimension::D2),
-                uniform(3),
+                uniform(2),
             ],
         })
     }
@@ -59,13 +56,13 @@ impl Beside<'_> {
             usage: wgpu::BufferUsages::UNIFORM,
         });
         let table = self.table.create_view(&wgpu::TextureViewDescriptor::default());
-        let views = [&table, &self.slopes.view(), &self.summit.view()];
+        let views = [&table, &self.slopes.view()];
         let textures = views.into_iter().zip(0..);
         let textures = textures.map(|(view, binding)| wgpu::BindGroupEntry {
             binding,
             resource: wgpu::BindingResource::TextureView(view),
         });
-        let rings = wgpu::BindGroupEntry { binding: 3, resource: rings.as_entire_binding() };
+        let rings = wgpu::BindGroupEntry { binding: 2, resource: rings.as_entire_binding() };
         let entries: Vec<_> = textures.chain([rings]).collect();
         device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("relief's cones"),

@@ -41,8 +41,7 @@ impl Slopes {
         let pair = [0, 1].map(|_| layers(&self.device, self.format, tips[0].size, 1));
         let slopes = |drawn: usize| Level::whole(&pair[drawn % 2], 0);
         let bind = |drawn: usize, rings: &[Ring]| {
-            let summit = tips[tips.len() - 1];
-            let beside = Beside { table: &table.texture, slopes: slopes(drawn), summit, rings: (drawn, rings) };
+            let beside = Beside { table: &table.texture, slopes: slopes(drawn), rings: (drawn, rings) };
             beside.bind(&self.device, &self.beside)
         };
         for (level, (nodes, rings)) in tips.iter().zip(rings).enumerate() {
