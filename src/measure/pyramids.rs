@@ -98,11 +98,11 @@ fn placed() -> Vec<Bounds> {
     bounds
 }
 
-/// `CellMax` as `cell_max`.
+/// `CellMax` as `cell_max`, `Cones(Step)` as `cones(step)`.
 fn words(name: &impl std::fmt::Debug) -> String {
     let mut words = String::new();
     for letter in format!("{name:?}").chars() {
-        if letter.is_uppercase() && !words.is_empty() {
+        if letter.is_uppercase() && words.ends_with(char::is_alphanumeric) {
             words.push('_');
         }
         words.extend(letter.to_lowercase());
