@@ -17,14 +17,25 @@ override build_way: u32 = 0u;
 
 /// The cell whose cone stands at a texel: the last one again where none begins.
 fn build_cell(position: vec4f) -> vec2i {
-    return min(vec2i(position.xy), build_part.size - 1i);
+    return min(build_place(position), build_part.size - 1i);
 }
 
-/// The height of each cone's tip, and its code.
+/// The height of a cone's tip, and its code.
+fn build_tip_and_code(at: vec2i) -> vec2u {
+    return vec2u(build_texel(at), build_code(textureLoad(build_slopes, at, 0i)[build_way]));
+}
+
+/// Both of each cone.
 @fragment
 fn build_cone(@builtin(position) position: vec4f) -> @location(0) vec2u {
-    let at = build_cell(position);
-    return vec2u(build_texel(at), build_code(textureLoad(build_slopes, at, 0i)[build_way]));
+    return build_tip_and_code(build_cell(position));
+}
+
+/// The same in one word.
+@fragment
+fn build_cone_word(@builtin(position) position: vec4f) -> @location(0) u32 {
+    let cone = build_tip_and_code(build_cell(position));
+    return cone.x | (cone.y << 16u);
 }
 
 /// The codes of the four quadrants, rounded up to twelve bits each, and above them the halves of the tip's height.

@@ -2,6 +2,7 @@
 
 use rayon::prelude::*;
 
+use super::patches;
 use super::plane::{Plane, Words};
 use crate::heightfield::cones::{ConeMap, Cones};
 use crate::heightfield::{Border, Heights, Texels};
@@ -44,6 +45,28 @@ fn image(
         }
     });
     image
+}
+
+/// Robust cones in words, the tip's height below the code: those of all mips in one image, where patches stand.
+pub(super) fn words<'a>(
+    heights: &Heights,
+    mips: impl Iterator<Item = ([u32; 2], &'a [u16])> + Clone,
+    progress: &(dyn Fn(u64, u64) + Sync),
+) -> Plane {
+    let sizes: Vec<[u32; 2]> = mips.clone().map(|(size, _)| size).collect();
+    let size = patches::size(sizes[0], sizes.len() > 1);
+    let mut image = vec![0; size[0] as usize * size[1] as usize];
+    let Words::Rg16(images) = plane(heights, mips, Cones::Robust, progress).words else {
+        unreachable!("a tip and a code")
+    };
+    for (mip, (texels, [width, _])) in images.iter().zip(&sizes).enumerate() {
+        let [left, top] = patches::corner(sizes[0], mip as u32).map(|at| at as usize);
+        for (y, row) in texels.chunks_exact(*width as usize).enumerate() {
+            let words = row.iter().map(|[tip, code]| u32::from(*tip) | u32::from(*code) << 16);
+            image[(top + y) * size[0] as usize + left..].iter_mut().zip(words).for_each(|(to, word)| *to = word);
+        }
+    }
+    Plane { size, words: Words::R32(image) }
 }
 
 /// The cones of the four quadrants in one texel. A word for each way along y holds two slopes of twelve bits, toward larger x and

@@ -62,6 +62,7 @@ const FAMILIES: &[Family] = &[
     single("robust_cone", &[Method::RobustCone]),
     single("stride", &[Method::Stride]),
     single("stride_quadrants", &[Method::StrideQuadrants]),
+    single("leap", &[Method::Leap]),
     Family {
         name: "cone_step",
         budget: "STEPS",

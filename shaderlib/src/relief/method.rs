@@ -34,7 +34,9 @@ pub enum Method {
     QuadtreeReliefExact,
     /// `shaderlib/wgsl/relief/robust_cone.wgsl`.
     RobustCone,
-    /// `shaderlib/wgsl/relief/stride.wgsl`: the same in one loop, for GPUs.
+    /// `shaderlib/wgsl/relief/leap.wgsl`: the same over storage textures, for devices where arithmetic is dear.
+    Leap,
+    /// `shaderlib/wgsl/relief/stride.wgsl`: `RobustCone` in one loop, for GPUs.
     Stride,
     /// `shaderlib/wgsl/relief/stride_quadrants.wgsl`: that over cones of a quadrant.
     StrideQuadrants,
@@ -68,7 +70,7 @@ impl Method {
     /// Whether it finds the first hit of every ray.
     #[must_use]
     pub fn is_exact(self) -> bool {
-        let cones = matches!(self.bounds(), Bounds::Cones(Cones::Robust) | Bounds::Quadrants);
+        let cones = matches!(self.bounds(), Bounds::Cones(Cones::Robust) | Bounds::Quadrants | Bounds::ConeWords);
         cones || matches!(self.bounds(), Bounds::CellMax | Bounds::Patches | Bounds::Wide)
     }
 
@@ -87,6 +89,7 @@ impl Method {
             Self::Linear(..) | Self::ParallaxOffset(_) => Bounds::None,
             Self::RobustCone | Self::Stride => Bounds::Cones(Cones::Robust),
             Self::StrideQuadrants => Bounds::Quadrants,
+            Self::Leap => Bounds::ConeWords,
             Self::ConeStep(_) => Bounds::Cones(Cones::Step),
             Self::RelaxedCone(..) => Bounds::Cones(Cones::Relaxed),
         }
@@ -106,6 +109,7 @@ impl Method {
             Self::ShadowHard => leaving("shadow_hard_trace"),
             Self::ShadowWide => leaving("shadow_wide_trace"),
             Self::RobustCone => exact("robust_cone_trace"),
+            Self::Leap => exact("leap_trace"),
             Self::Stride => exact("stride_trace"),
             Self::StrideQuadrants => exact("stride_quadrants_trace"),
             Self::ConeStep(steps) => format!("cone_step_trace({heights}, {bounds}, {field}, {ray}, {steps}u)"),
@@ -136,6 +140,7 @@ impl fmt::Display for Method {
             Self::ShadowHard => to.write_str("shadow_hard"),
             Self::ShadowWide => to.write_str("shadow_wide"),
             Self::RobustCone => to.write_str("robust_cone"),
+            Self::Leap => to.write_str("leap"),
             Self::Stride => to.write_str("stride"),
             Self::StrideQuadrants => to.write_str("stride_quadrants"),
             Self::ConeStep(0) => to.write_str("cone_step"),

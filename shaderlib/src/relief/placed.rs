@@ -25,8 +25,18 @@ pub enum Bounds {
     Quadrants,
     /// The same as `CellMax` in 32-bit words, and the heights as patches: four to a texel.
     Patches,
+    /// The cones of [`Cones::Robust`], tip and code in a word, those of all mips in one image; and the heights as patches.
+    ConeWords,
     /// Sixteen children to a node.
     Wide,
+}
+
+impl Bounds {
+    /// Whether methods read patches beside them, and not heights.
+    #[must_use]
+    pub fn are_beside_patches(self) -> bool {
+        matches!(self, Self::Patches | Self::ConeWords)
+    }
 }
 
 /// What a device needs of a map.
@@ -121,6 +131,7 @@ impl Placed {
                 quadtrees(&mips, Bound::CellMax, words)
             }
             Bounds::Wide => wide(&mips, &mut fields),
+            Bounds::ConeWords => cones::words(heights, mips.iter().map(|mip| (mip.size, &mip.texels[..])), progress),
             Bounds::Quadrants => {
                 cones::quadrants(heights, mips.iter().map(|mip| (mip.size, &mip.texels[..])), progress)
             }
@@ -128,7 +139,7 @@ impl Placed {
                 cones::plane(heights, mips.iter().map(|mip| (mip.size, &mip.texels[..])), cones, progress)
             }
         };
-        let heights = if bounds == Bounds::Patches { all_patches(&mips) } else { texels_of(mips) };
+        let heights = if bounds.are_beside_patches() { all_patches(&mips) } else { texels_of(mips) };
         Ok(Self { heights, bounds: image, fields, range, tiled })
     }
 
@@ -146,7 +157,8 @@ impl Placed {
 /// Those of [`Unplaceable`].
 pub fn planes(heights: &Heights, textures: &[MapTexture]) -> Result<Vec<Plane>, Unplaceable> {
     // Heights come with any bounds but patches.
-    let other = |texture: &&MapTexture| !matches!(texture.placed_with(), Bounds::None | Bounds::Patches);
+    let other =
+        |texture: &&MapTexture| texture.placed_with() != Bounds::None && !texture.placed_with().are_beside_patches();
     let beside = textures.iter().find(other).map_or(Bounds::None, |texture| texture.placed_with());
     let with = |texture: MapTexture| if texture == MapTexture::Heights { beside } else { texture.placed_with() };
     let all: BTreeSet<Bounds> = textures.iter().map(|texture| with(*texture)).collect();

@@ -26,6 +26,7 @@ impl MapTexture {
             Self::Bounds(Bounds::None | Bounds::CellMax) => "bounds",
             Self::Bounds(Bounds::TexelMax) => "texel_bounds",
             Self::Bounds(Bounds::Patches) => "patch_bounds",
+            Self::Bounds(Bounds::ConeWords) => "cone_words",
             Self::Bounds(Bounds::Wide) => "wide_bounds",
             Self::Bounds(Bounds::Cones(_)) => "cones",
             Self::Bounds(Bounds::Quadrants) => "quadrant_cones",
@@ -38,7 +39,7 @@ impl MapTexture {
         match self {
             Self::Heights | Self::Bounds(Bounds::None | Bounds::CellMax | Bounds::TexelMax) => "r16uint",
             Self::Patches | Self::Bounds(Bounds::Quadrants) => "rg32uint",
-            Self::Bounds(Bounds::Patches) => "r32uint",
+            Self::Bounds(Bounds::Patches | Bounds::ConeWords) => "r32uint",
             Self::Bounds(Bounds::Wide) => "rgba32uint",
             Self::Bounds(Bounds::Cones(_)) => "rg16uint",
         }
@@ -48,7 +49,7 @@ impl MapTexture {
     /// `readonly_and_readwrite_storage_textures`.
     #[must_use]
     pub fn is_storage(self) -> bool {
-        matches!(self, Self::Patches | Self::Bounds(Bounds::Patches))
+        matches!(self, Self::Patches | Self::Bounds(Bounds::Patches | Bounds::ConeWords))
     }
 
     /// Its type in WGSL.
@@ -78,7 +79,7 @@ impl MapTexture {
     pub fn size_over(self, extent: &Extent) -> [u32; 2] {
         match self {
             Self::Heights | Self::Bounds(Bounds::Cones(_) | Bounds::Quadrants) => extent.filled,
-            Self::Patches => patches::size(extent.filled, extent.mips > 1),
+            Self::Patches | Self::Bounds(Bounds::ConeWords) => patches::size(extent.filled, extent.mips > 1),
             Self::Bounds(Bounds::None) => [1, 1],
             Self::Bounds(Bounds::CellMax | Bounds::TexelMax | Bounds::Patches) => extent.image(),
             Self::Bounds(Bounds::Wide) => strip::size(extent),
@@ -108,7 +109,8 @@ impl Method {
     /// The textures that it reads: heights, then bounds if it has any.
     #[must_use]
     pub fn reads(self) -> Vec<MapTexture> {
-        let heights = if self.bounds() == Bounds::Patches { MapTexture::Patches } else { MapTexture::Heights };
+        let beside = self.bounds().are_beside_patches();
+        let heights = if beside { MapTexture::Patches } else { MapTexture::Heights };
         let bounds = (self.bounds() != Bounds::None).then_some(MapTexture::Bounds(self.bounds()));
         std::iter::once(heights).chain(bounds).collect()
     }
@@ -121,12 +123,13 @@ mod tests {
     use crate::heightfield::{Border, Heights, Texels};
     use crate::relief::{Words, planes};
 
-    const ALL: [MapTexture; 9] = [
+    const ALL: [MapTexture; 10] = [
         MapTexture::Heights,
         MapTexture::Patches,
         MapTexture::Bounds(Bounds::CellMax),
         MapTexture::Bounds(Bounds::TexelMax),
         MapTexture::Bounds(Bounds::Patches),
+        MapTexture::Bounds(Bounds::ConeWords),
         MapTexture::Bounds(Bounds::Wide),
         MapTexture::Bounds(Bounds::Cones(Cones::Step)),
         MapTexture::Bounds(Bounds::Cones(Cones::Robust)),

@@ -46,7 +46,8 @@ fn robust_cone_trace(
             break;
         }
         leaves++;
-        let t = robust_cone_patch(heights, field, frame, state);
+        let corners = relief_corners(heights, field, robust_cone_cell(frame, state.sides), frame.mirror);
+        let t = robust_cone_patch(frame, state, corners);
         if t <= frame.end {
             let cell = robust_cone_cell(frame, state.sides) ^ frame.mirror;
             return ReliefHit(t, RELIEF_HIT, cell, state.steps, leaves);
@@ -110,14 +111,8 @@ fn robust_cone_step(frame: WalkFrame, state: RobustConeState, cone: vec2f) -> Ro
 }
 
 /// t of the hit on the patch of the cell that it stands on, or RELIEF_NEVER and more.
-fn robust_cone_patch(
-    heights: texture_2d_array<u32>,
-    field: ReliefField,
-    frame: WalkFrame,
-    state: RobustConeState,
-) -> f32 {
+fn robust_cone_patch(frame: WalkFrame, state: RobustConeState, corners: vec4f) -> f32 {
     let at = frame.origin + frame.direction * state.t;
-    let corners = relief_corners(heights, field, robust_cone_cell(frame, state.sides), frame.mirror);
     let place = vec3f(at.xy - (state.sides - 1.0), at.z);
     return state.t + relief_patch(corners, place, frame.direction, state.leave - state.t);
 }

@@ -37,7 +37,8 @@ fn stride_search(
         state = robust_cone_step(frame, state, cone);
         if state.stands {
             leaves++;
-            let t = robust_cone_patch(heights, field, frame, state);
+            let corners = relief_corners(heights, field, robust_cone_cell(frame, state.sides), frame.mirror);
+            let t = robust_cone_patch(frame, state, corners);
             if t <= frame.end {
                 let cell = robust_cone_cell(frame, state.sides) ^ frame.mirror;
                 return ReliefHit(t, RELIEF_HIT, cell, state.steps, leaves);

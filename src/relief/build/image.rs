@@ -32,6 +32,8 @@ enum Drawing {
     Wide(Strip),
     /// Square cones over all cells.
     Squares(Box<Squares>),
+    /// The same, those of all mips in one image.
+    Words(Box<Squares>),
     /// Round cones over all texels.
     Rounds(Box<Rounds>),
 }
@@ -78,6 +80,9 @@ impl Image {
             (MapTexture::Bounds(Bounds::Cones(Cones::Robust)), _) => squares(Ways::All),
             (MapTexture::Bounds(Bounds::Cones(Cones::Quadrant(number))), _) => squares(Ways::Quadrant(number)),
             (MapTexture::Bounds(Bounds::Quadrants), _) => squares(Ways::Quadrants),
+            (MapTexture::Bounds(Bounds::ConeWords), _) => {
+                Drawing::Words(Box::new(Squares::new(passes, format, (extent, border), Ways::Words)))
+            }
             (_, Some(bound)) => Drawing::Quadtrees(bound, passes.pass("build_same", format, &[])),
             (_, None) => Drawing::Nothing,
         };
@@ -101,7 +106,11 @@ impl Image {
                 }
             }
             Drawing::Squares(squares) => {
-                squares.update(encoder, Level::whole(&self.texture, change.mip), change.mip, change.heights);
+                let image = Level::whole(&self.texture, change.mip);
+                squares.update(encoder, (image, [0, 0]), change.mip, change.heights);
+            }
+            Drawing::Words(squares) => {
+                squares.update(encoder, (image, extent.patches(change.mip)), change.mip, change.heights);
             }
             Drawing::Rounds(rounds) => {
                 rounds.update(encoder, Level::whole(&self.texture, change.mip), change.mip, change.heights);
@@ -122,7 +131,7 @@ fn format(texture: MapTexture) -> wgpu::TextureFormat {
     match texture {
         MapTexture::Patches | MapTexture::Bounds(Bounds::Quadrants) => wgpu::TextureFormat::Rg32Uint,
         MapTexture::Bounds(Bounds::Cones(_)) => wgpu::TextureFormat::Rg16Uint,
-        MapTexture::Bounds(Bounds::Patches) => wgpu::TextureFormat::R32Uint,
+        MapTexture::Bounds(Bounds::Patches | Bounds::ConeWords) => wgpu::TextureFormat::R32Uint,
         MapTexture::Bounds(Bounds::Wide) => wgpu::TextureFormat::Rgba32Uint,
         _ => wgpu::TextureFormat::R16Uint,
     }

@@ -144,6 +144,18 @@ impl Pass {
         self.draw_groups(encoder, levels, Part::default(), &[beside], &[whole]);
     }
 
+    /// The same for a level that begins elsewhere, and is so large.
+    pub(super) fn draw_beside_at(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        levels: [Level<'_>; 2],
+        beside: &wgpu::BindGroup,
+        (corner, size): ([u32; 2], [u32; 2]),
+    ) {
+        let region = [0, 1].map(|axis| corner[axis]..corner[axis] + size[axis]);
+        self.draw_groups(encoder, levels, Part { corner, ..Part::default() }, &[beside], &[region]);
+    }
+
     fn draw_groups(
         &self,
         encoder: &mut wgpu::CommandEncoder,

@@ -11,7 +11,7 @@ use super::{LIMIT, device};
 /// The highest number, and how deep it is over the side of the map.
 const FULL: f64 = 65535.0;
 const DEPTH: f64 = 0.05;
-const METHODS: [Method; 3] = [Method::Walk, Method::Sprint, Method::Wide];
+const METHODS: [Method; 4] = [Method::Walk, Method::Sprint, Method::Leap, Method::Wide];
 
 fn land(land: Land, side: u32) -> Heights {
     map(land, [side; 2], Border::Wrap, Depth::Sixteen, 1).expect("a side in range")

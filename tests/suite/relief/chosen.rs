@@ -28,13 +28,13 @@ fn expect_walk(gpu: &Gpu, methods: &[Method], maps: &[&Heights]) {
 }
 
 /// One for each kind of textures.
-const KINDS: [Method; 4] = [Method::Sprint, Method::Wide, Method::Stride, Method::StrideQuadrants];
+const KINDS: [Method; 5] = [Method::Sprint, Method::Wide, Method::Leap, Method::Stride, Method::StrideQuadrants];
 
 #[test]
 fn every_exact_method_draws_the_same_picture() {
     let Some(gpu) = device() else { return };
     let methods: Vec<Method> = Method::all().into_iter().filter(|method| method.is_exact()).collect();
-    assert_eq!(methods.len(), 9, "{methods:?}");
+    assert_eq!(methods.len(), 10, "{methods:?}");
     expect_walk(&gpu, &methods, &[&rough(64)]);
 }
 

@@ -99,6 +99,11 @@ fn the_stride_over_quadrants_is_exact() {
 }
 
 #[test]
+fn the_leap_is_exact() {
+    exact(Method::Leap);
+}
+
+#[test]
 fn the_sprint_is_exact() {
     exact(Method::Sprint);
 }
@@ -135,7 +140,7 @@ fn published_cones_are_not() {
 fn a_search_that_is_cut_short_says_so() {
     let Some(gpu) = device() else { return };
     let (heights, sent) = lands(600, 1).find(|(heights, _)| heights.size() == [64, 64]).expect("one of the sizes");
-    for method in [Method::RobustCone, Method::Stride, Method::StrideQuadrants, Method::ConeStep(0)] {
+    for method in [Method::RobustCone, Method::Leap, Method::Stride, Method::StrideQuadrants, Method::ConeStep(0)] {
         let trace = |limit| {
             let placed = Placed::new(&heights, method.bounds(), limit).expect("filtered");
             let tracer = Tracer::new(&gpu, &heights, &placed, method).expect("the device takes it");
@@ -185,6 +190,7 @@ fn tint_accepts_every_method() {
         Method::QuadtreeRelief(0),
         Method::QuadtreeReliefExact,
         Method::RobustCone,
+        Method::Leap,
         Method::Stride,
         Method::StrideQuadrants,
         Method::ConeStep(0),

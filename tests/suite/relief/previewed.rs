@@ -51,7 +51,7 @@ fn relief_is_seen_and_shades_itself_with_any_method() {
     let seen = other(&walk, &bare, 1);
     assert!(seen > 0.15, "only {seen} of the picture is another");
     assert!(mean(&walk) < mean(&bare), "{} is no darker than {}", mean(&walk), mean(&bare));
-    for method in [Method::Sprint, Method::Wide, Method::StrideQuadrants] {
+    for method in [Method::Sprint, Method::Wide, Method::Leap, Method::StrideQuadrants] {
         let part = other(&plain.preview(&gpu, method, &hosts::preview()).pixels, &walk, 1);
         assert!(part < 0.002, "{method}: {part} of the picture is another");
     }

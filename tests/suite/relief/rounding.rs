@@ -24,7 +24,7 @@ fn found(heights: &Heights, segment: &Segment) -> Option<Vec<(Method, Traced)>> 
         let tracer = Tracer::new(&gpu, heights, &placed, method).expect("the device takes it");
         (method, tracer.trace(std::slice::from_ref(segment)).expect("the device answers").0[0])
     };
-    Some([Method::Walk, Method::Sprint, Method::Wide, Method::MaximumMipmaps].map(one).into())
+    Some([Method::Walk, Method::Sprint, Method::Leap, Method::Wide, Method::MaximumMipmaps].map(one).into())
 }
 
 /// A ray that keeps near the saddles of 1,920 cells and so meets none of their corners. A third is no f32: at its end it runs

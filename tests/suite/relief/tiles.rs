@@ -19,7 +19,7 @@ fn a_start_hundreds_of_cells_into_a_tile_keeps_its_place_in_the_cell() {
     let Some(gpu) = device() else { return };
     let heights = map(Land::Noise, [300, 700], Border::Wrap, Depth::Sixteen, 0xdcfb_f025_7f75_609f).expect("a size");
     assert_eq!(heights.corners(130, 609), [15710.0, 2987.0, 61405.0, 49724.0], "the map is another");
-    for method in [Method::Walk, Method::Sprint, Method::MaximumMipmaps] {
+    for method in [Method::Walk, Method::Sprint, Method::Leap, Method::MaximumMipmaps] {
         let placed = Placed::new(&heights, method.bounds(), LIMIT).expect("whole steps can be placed");
         let tracer = Tracer::new(&gpu, &heights, &placed, method).expect("the device takes it");
         let (traced, _) = tracer.trace(&[TOUCHES]).expect("the device answers");

@@ -40,6 +40,8 @@ pub(super) struct Squares {
 pub(super) enum Ways {
     /// The steepest.
     All,
+    /// The same, tip and code in a word.
+    Words,
     /// Those toward the four quadrants.
     Quadrants,
     /// The one toward a quadrant, by its number.
@@ -61,6 +63,7 @@ impl Squares {
         let zero = f64::from(SLOPE.value(0).to_bits());
         let (entry, way) = match ways {
             Ways::All => ("build_cone", 0),
+            Ways::Words => ("build_cone_word", 0),
             Ways::Quadrant(number) => ("build_cone", number % 4),
             Ways::Quadrants => ("build_quadrants", 0),
         };
@@ -77,13 +80,20 @@ impl Squares {
     }
 
     /// Draws all cones of a mip, since a single texel may narrow any. What that takes besides goes when the device is done.
-    pub(super) fn update(&self, encoder: &mut wgpu::CommandEncoder, image: Level<'_>, mip: u32, heights: Level<'_>) {
+    pub(super) fn update(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        (image, corner): (Level<'_>, [u32; 2]),
+        mip: u32,
+        heights: Level<'_>,
+    ) {
+        let place = (corner, heights.size);
         let heights = Level { size: self.sizes[mip as usize], ..heights };
         let tips = self.tips.redraw(encoder, mip as usize, heights);
         let table = self.tables.room(heights.size);
         table.ground(encoder, heights);
         let slopes = self.slopes.draw(encoder, &table, &tips, &rings(self.wraps, heights.size));
-        self.codes.draw_beside(encoder, [tips[0], image], &slopes);
+        self.codes.draw_beside_at(encoder, [tips[0], image], &slopes, place);
     }
 }
 

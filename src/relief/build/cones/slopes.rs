@@ -20,10 +20,11 @@ pub(super) struct Slopes {
 impl Slopes {
     pub(super) fn new(passes: &Passes<'_>, beside: wgpu::BindGroupLayout, ways: Ways) -> Self {
         let format = match ways {
-            Ways::All => wgpu::TextureFormat::R32Float,
+            Ways::All | Ways::Words => wgpu::TextureFormat::R32Float,
             Ways::Quadrants | Ways::Quadrant(_) => wgpu::TextureFormat::Rgba32Float,
         };
-        let constants = [CORNER, ("build_is_round_about", f64::from(u8::from(ways == Ways::All)))];
+        let constants =
+            [CORNER, ("build_is_round_about", f64::from(u8::from(format == wgpu::TextureFormat::R32Float)))];
         let steepened = passes.pass_beside("build_steepened", format, &constants, Some(&beside));
         Self { device: passes.gpu.device.clone(), beside, format, steepened }
     }

@@ -11,8 +11,9 @@ use super::changes::{changed, rectangles};
 use super::equal;
 use crate::relief::device;
 
-const SQUARE: [MapTexture; 3] = [
+const SQUARE: [MapTexture; 4] = [
     MapTexture::Bounds(Bounds::Cones(Cones::Robust)),
+    MapTexture::Bounds(Bounds::ConeWords),
     MapTexture::Bounds(Bounds::Quadrants),
     MapTexture::Bounds(Bounds::Cones(Cones::Quadrant(2))),
 ];
