@@ -15,17 +15,27 @@ pub(super) fn plane<'a>(
     cones: Cones,
     progress: &(dyn Fn(u64, u64) + Sync),
 ) -> Plane {
-    let (size, border) = (heights.size(), heights.border());
     let mips: Vec<_> = mips.collect();
-    let images = mips.iter().map(|(filled, texels)| {
+    Plane { size: mips[0].0, words: Words::Rg16(images(heights, mips.into_iter(), cones, progress)) }
+}
+
+/// The tips and codes of each mip.
+fn images<'a>(
+    heights: &Heights,
+    mips: impl Iterator<Item = ([u32; 2], &'a [u16])>,
+    cones: Cones,
+    progress: &(dyn Fn(u64, u64) + Sync),
+) -> Vec<Vec<[u16; 2]>> {
+    let (size, border) = (heights.size(), heights.border());
+    let images = mips.map(|(filled, texels)| {
         // A map that wraps is filled already; one that does not has one mip.
-        let size = if border == Border::Wrap { *filled } else { size };
+        let size = if border == Border::Wrap { filled } else { size };
         let rows = texels.chunks_exact(filled[0] as usize).take(size[1] as usize);
         let own = rows.flat_map(|row| &row[..size[0] as usize]).copied().collect();
         let mip = Heights::new(size, border, Texels::U16(own)).expect("no larger than the map, and whole rows");
-        image(&mip, *filled, cones, progress)
+        image(&mip, filled, cones, progress)
     });
-    Plane { size: mips[0].0, words: Words::Rg16(images.collect()) }
+    images.collect()
 }
 
 fn image(
@@ -56,9 +66,7 @@ pub(super) fn words<'a>(
     let sizes: Vec<[u32; 2]> = mips.clone().map(|(size, _)| size).collect();
     let size = patches::size(sizes[0], sizes.len() > 1);
     let mut image = vec![0; size[0] as usize * size[1] as usize];
-    let Words::Rg16(images) = plane(heights, mips, Cones::Robust, progress).words else {
-        unreachable!("a tip and a code")
-    };
+    let images = images(heights, mips, Cones::Robust, progress);
     for (mip, (texels, [width, _])) in images.iter().zip(&sizes).enumerate() {
         let [left, top] = patches::corner(sizes[0], mip as u32).map(|at| at as usize);
         for (y, row) in texels.chunks_exact(*width as usize).enumerate() {
@@ -76,11 +84,7 @@ pub(super) fn quadrants<'a>(
     mips: impl Iterator<Item = ([u32; 2], &'a [u16])> + Clone,
     progress: &(dyn Fn(u64, u64) + Sync),
 ) -> Plane {
-    let of = |number: u8| match plane(heights, mips.clone(), Cones::Quadrant(number), progress).words {
-        Words::Rg16(images) => images,
-        _ => unreachable!("a tip and a code"),
-    };
-    let [a, b, c, d] = [0, 1, 2, 3].map(of);
+    let [a, b, c, d] = [0, 1, 2, 3].map(|number| images(heights, mips.clone(), Cones::Quadrant(number), progress));
     let joined = a.iter().zip(&b).zip(c.iter().zip(&d)).map(|((a, b), (c, d))| {
         let texels = a.iter().zip(b).zip(c.iter().zip(d));
         texels.map(|((a, b), (c, d))| packed(a[0], [a[1], b[1], c[1], d[1]])).collect()

@@ -31,8 +31,7 @@ fn leap_trace(
             break;
         }
     }
-    let outcome = select(RELIEF_UNRESOLVED, RELIEF_MISS, state.t >= frame.end);
-    return ReliefHit(min(state.t, frame.end), outcome, vec2i(0), state.steps, leaves);
+    return robust_cone_over(frame, state, leaves);
 }
 
 /// Goes from cone to cone until it stands on a cell that may be hit, is past the end, or has seen too many.

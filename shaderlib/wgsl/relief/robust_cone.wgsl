@@ -57,6 +57,11 @@ fn robust_cone_trace(
             break;
         }
     }
+    return robust_cone_over(frame, state, leaves);
+}
+
+/// The end of a search that has met nothing: past the end of the ray, or given up before.
+fn robust_cone_over(frame: WalkFrame, state: RobustConeState, leaves: u32) -> ReliefHit {
     let outcome = select(RELIEF_UNRESOLVED, RELIEF_MISS, state.t >= frame.end);
     return ReliefHit(min(state.t, frame.end), outcome, vec2i(0), state.steps, leaves);
 }

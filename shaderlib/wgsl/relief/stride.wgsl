@@ -47,6 +47,5 @@ fn stride_search(
         }
         goes_on = state.t < frame.end && state.steps < field.limit;
     }
-    let outcome = select(RELIEF_UNRESOLVED, RELIEF_MISS, state.t >= frame.end);
-    return ReliefHit(min(state.t, frame.end), outcome, vec2i(0), state.steps, leaves);
+    return robust_cone_over(frame, state, leaves);
 }
