@@ -58,7 +58,8 @@ pub enum Platform {
 }
 
 impl Method {
-    /// The fastest exact one that reads sampled textures, by docs/relief/notebook.md.
+    /// The exact one that draws scenes fastest, by docs/relief/notebook.md. On a CPU `Sprint` and `Leap` find hits sooner than the
+    /// walk, but need textures of their own beside the quadtree that light reads, and a scene takes as long.
     #[must_use]
     pub fn fastest(platform: Platform) -> Self {
         match platform {
