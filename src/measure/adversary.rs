@@ -64,6 +64,8 @@ struct Batch {
     /// What makes the map anew.
     name: String,
     heights: Heights,
+    /// Whether searches that can begin over coarse nodes, as over large maps.
+    begins_over_nodes: bool,
     rays: Vec<Segment>,
 }
 
@@ -87,7 +89,7 @@ fn batches(attack: &Attack) -> impl Iterator<Item = Batch> {
         let mut source = Rays::new(&heights, seed);
         let cases = (0..size as usize).map(|index| source.case(AIMS[index % AIMS.len()]));
         let rays = cases.map(|case| Segment { ray: case.ray, range: (0.0, case.end as f64) }).collect();
-        Batch { name, heights, rays }
+        Batch { name, heights, begins_over_nodes: variant & 1 == 1, rays }
     })
 }
 
@@ -130,6 +132,7 @@ fn placed(heights: &Heights, method: Method) -> Placed {
 fn trace(compiled: &[Vec<Tracer<'_>>], methods: &[Method], batch: &Batch) -> Result<Vec<Vec<Traced>>, RenderError> {
     let traced = compiled.iter().zip(methods).map(|(tracers, method)| {
         let placed = placed(&batch.heights, *method);
+        let placed = if batch.begins_over_nodes { placed.begun_over_nodes() } else { placed };
         let tracer = tracers[usize::from(placed.tiled)].over(&batch.heights, &placed)?;
         Ok(tracer.trace(&batch.rays)?.0)
     });

@@ -26,3 +26,12 @@ fn build_joined(@builtin(position) position: vec4f) -> @location(0) u32 {
     let above = max(build_texel(near), build_texel(vec2i(far.x, near.y)));
     return max(above, max(build_texel(vec2i(near.x, far.y)), build_texel(far)));
 }
+
+/// The coarse map over nodes: at each corner the largest of those that meet there.
+@fragment
+fn build_corners(@builtin(position) position: vec4f) -> @location(0) u32 {
+    let size = build_part.size;
+    let at = vec2i(position.xy);
+    let before = select(max(at - 1i, vec2i(0)), (at + size - 1i) % size, build_wraps);
+    return build_bound_of(before, min(at, size - 1i));
+}

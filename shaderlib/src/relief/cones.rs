@@ -2,48 +2,36 @@
 
 use rayon::prelude::*;
 
-use super::patches;
+use super::mips::Mip;
 use super::plane::{Plane, Words};
+use super::{coarse, patches};
 use crate::heightfield::cones::{ConeMap, Cones};
 use crate::heightfield::{Border, Heights, Texels};
 
-/// The cones of a map and of its coarser mips; each mip is given by its size and texels, filled up to powers of two. A texel holds
-/// the height of a cone's tip and the code of [`ConeMap`].
-pub(super) fn plane<'a>(
-    heights: &Heights,
-    mips: impl Iterator<Item = ([u32; 2], &'a [u16])>,
-    cones: Cones,
-    progress: &(dyn Fn(u64, u64) + Sync),
-) -> Plane {
-    let mips: Vec<_> = mips.collect();
-    Plane { size: mips[0].0, words: Words::Rg16(images(heights, mips.into_iter(), cones, progress)) }
+/// Told, from any thread, how much of some cones is done and how much there is of them.
+type Progress<'a> = &'a (dyn Fn(u64, u64) + Sync);
+
+/// The cones of a map and of its coarser mips. A texel holds the height of a cone's tip and the code of [`ConeMap`].
+pub(super) fn plane(heights: &Heights, mips: &[Mip], cones: Cones, progress: Progress<'_>) -> Plane {
+    Plane { size: mips[0].size, words: Words::Rg16(images(heights, mips, cones, progress)) }
 }
 
 /// The tips and codes of each mip.
-fn images<'a>(
-    heights: &Heights,
-    mips: impl Iterator<Item = ([u32; 2], &'a [u16])>,
-    cones: Cones,
-    progress: &(dyn Fn(u64, u64) + Sync),
-) -> Vec<Vec<[u16; 2]>> {
-    let (size, border) = (heights.size(), heights.border());
-    let images = mips.map(|(filled, texels)| {
-        // A map that wraps is filled already; one that does not has one mip.
-        let size = if border == Border::Wrap { filled } else { size };
-        let rows = texels.chunks_exact(filled[0] as usize).take(size[1] as usize);
-        let own = rows.flat_map(|row| &row[..size[0] as usize]).copied().collect();
-        let mip = Heights::new(size, border, Texels::U16(own)).expect("no larger than the map, and whole rows");
-        image(&mip, filled, cones, progress)
-    });
-    images.collect()
+fn images(heights: &Heights, mips: &[Mip], cones: Cones, progress: Progress<'_>) -> Vec<Vec<[u16; 2]>> {
+    mips.iter().map(|mip| image(&own(heights, mip), mip.size, cones, progress)).collect()
 }
 
-fn image(
-    heights: &Heights,
-    [width, height]: [u32; 2],
-    cones: Cones,
-    progress: &(dyn Fn(u64, u64) + Sync),
-) -> Vec<[u16; 2]> {
+/// The texels of a mip that cones stand on. A map that wraps is filled already; one that does not has one mip, and of that those
+/// which are the map's.
+fn own(heights: &Heights, Mip { size: filled, texels }: &Mip) -> Heights {
+    let border = heights.border();
+    let size = if border == Border::Wrap { *filled } else { heights.size() };
+    let rows = texels.chunks_exact(filled[0] as usize).take(size[1] as usize);
+    let own = rows.flat_map(|row| &row[..size[0] as usize]).copied().collect();
+    Heights::new(size, border, Texels::U16(own)).expect("no larger than the map, and whole rows")
+}
+
+fn image(heights: &Heights, [width, height]: [u32; 2], cones: Cones, progress: Progress<'_>) -> Vec<[u16; 2]> {
     let map = ConeMap::new(heights, cones, progress);
     let [columns, rows] = map.size;
     let mut image = vec![[0; 2]; width as usize * height as usize];
@@ -57,21 +45,25 @@ fn image(
     image
 }
 
-/// Robust cones in words, the tip's height below the code: those of all mips in one image, where patches stand.
-pub(super) fn words<'a>(
-    heights: &Heights,
-    mips: impl Iterator<Item = ([u32; 2], &'a [u16])> + Clone,
-    progress: &(dyn Fn(u64, u64) + Sync),
-) -> Plane {
-    let sizes: Vec<[u32; 2]> = mips.clone().map(|(size, _)| size).collect();
-    let size = patches::size(sizes[0], sizes.len() > 1);
+/// Robust cones in words, the tip's height below the code: those of all mips in one image, where patches stand, and those over
+/// coarse nodes.
+pub(super) fn words(heights: &Heights, mips: &[Mip], progress: Progress<'_>) -> Plane {
+    let map = mips[0].size;
+    let size = coarse::size(map, mips.len() > 1);
     let mut image = vec![0; size[0] as usize * size[1] as usize];
-    let images = images(heights, mips, Cones::Robust, progress);
-    for (mip, (texels, [width, _])) in images.iter().zip(&sizes).enumerate() {
-        let [left, top] = patches::corner(sizes[0], mip as u32).map(|at| at as usize);
-        for (y, row) in texels.chunks_exact(*width as usize).enumerate() {
+    let mut write = |corner: [u32; 2], width: u32, texels: &[[u16; 2]]| {
+        let [left, top] = corner.map(|at| at as usize);
+        for (y, row) in texels.chunks_exact(width as usize).enumerate() {
             let words = row.iter().map(|[tip, code]| u32::from(*tip) | u32::from(*code) << 16);
             image[(top + y) * size[0] as usize + left..].iter_mut().zip(words).for_each(|(to, word)| *to = word);
+        }
+    };
+    for (index, (mip, texels)) in (0..).zip(mips.iter().zip(images(heights, mips, Cones::Robust, progress))) {
+        write(patches::corner(map, index), mip.size[0], &texels);
+        if let Some(corner) = coarse::corner(map, index) {
+            let nodes = coarse::nodes(mip.size);
+            let over = coarse::heights(mip, heights.border());
+            write(corner, nodes[0], &self::image(&over, nodes, Cones::Robust, progress));
         }
     }
     Plane { size, words: Words::R32(image) }
@@ -79,18 +71,13 @@ pub(super) fn words<'a>(
 
 /// The cones of the four quadrants in one texel. A word for each way along y holds two slopes of twelve bits, toward larger x and
 /// toward smaller, and above them the low or the high half of the tip's height.
-pub(super) fn quadrants<'a>(
-    heights: &Heights,
-    mips: impl Iterator<Item = ([u32; 2], &'a [u16])> + Clone,
-    progress: &(dyn Fn(u64, u64) + Sync),
-) -> Plane {
-    let [a, b, c, d] = [0, 1, 2, 3].map(|number| images(heights, mips.clone(), Cones::Quadrant(number), progress));
+pub(super) fn quadrants(heights: &Heights, mips: &[Mip], progress: Progress<'_>) -> Plane {
+    let [a, b, c, d] = [0, 1, 2, 3].map(|number| images(heights, mips, Cones::Quadrant(number), progress));
     let joined = a.iter().zip(&b).zip(c.iter().zip(&d)).map(|((a, b), (c, d))| {
         let texels = a.iter().zip(b).zip(c.iter().zip(d));
         texels.map(|((a, b), (c, d))| packed(a[0], [a[1], b[1], c[1], d[1]])).collect()
     });
-    let size = mips.clone().next().map_or([1, 1], |(size, _)| size);
-    Plane { size, words: Words::Rg32(joined.collect()) }
+    Plane { size: mips[0].size, words: Words::Rg32(joined.collect()) }
 }
 
 /// A texel of four codes, rounded up to twelve bits.

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::{atlas, patches};
+use super::{atlas, coarse, patches};
 use crate::heightfield::{Border, Heights};
 
 /// Columns and rows.
@@ -92,6 +92,12 @@ impl Extent {
     #[must_use]
     pub fn patches(&self, mip: u32) -> [u32; 2] {
         patches::corner(self.filled, mip)
+    }
+
+    /// Where the first coarse node of a mip stands in the image of cones, if the mip has a whole one.
+    #[must_use]
+    pub fn coarse(&self, mip: u32) -> Option<[u32; 2]> {
+        coarse::corner(self.filled, mip)
     }
 
     fn texels_along(&self, axis: usize, range: &Range<u32>) -> Vec<Range<u32>> {

@@ -22,15 +22,17 @@ pub struct Field {
     pub patches: [i32; 2],
     /// log2 of the steps of height to a step of a wide node's base.
     pub unit: i32,
+    /// Where the first coarse node of the mip stands in an image of cones; −1 where a search does not begin there.
+    pub coarse: [i32; 2],
 }
 
 impl Field {
     /// The words of a uniform buffer.
     #[must_use]
-    pub fn words(&self) -> [i32; 14] {
-        let Self { wrap, last, corner, top, limit, mip, layer, patches, unit } = *self;
+    pub fn words(&self) -> [i32; 16] {
+        let Self { wrap, last, corner, top, limit, mip, layer, patches, unit, coarse } = *self;
         // A limit beyond 2^31 keeps its bits.
-        let [[a, b], [c, d], [e, f], [g, h]] = [wrap, last, corner, patches];
-        [a, b, c, d, e, f, top, limit as i32, mip, layer, g, h, unit, 0]
+        let [[a, b], [c, d], [e, f], [g, h], [i, j]] = [wrap, last, corner, patches, coarse];
+        [a, b, c, d, e, f, top, limit as i32, mip, layer, g, h, unit, 0, i, j]
     }
 }

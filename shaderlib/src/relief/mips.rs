@@ -1,6 +1,39 @@
 //! Coarser forms of a map of heights.
 
 use super::dirty::Region;
+use crate::heightfield::pyramid::{Bound, Level, Levels, Pyramid};
+use crate::heightfield::{Border, Heights, Texels};
+
+/// One mip of a map, filled up to powers of two.
+pub(super) struct Mip {
+    pub(super) size: [u32; 2],
+    pub(super) texels: Vec<u16>,
+}
+
+impl Mip {
+    /// Its quadtree. Filled up a map wraps, whatever it did: the nodes behind the border are held against the first column as well,
+    /// which bounds them all the same.
+    pub(super) fn quadtree(&self, bound: Bound) -> Vec<Level<u16>> {
+        let whole = Heights::new(self.size, Border::Wrap, Texels::U16(self.texels.clone()))
+            .expect("a power of two is in range where no smaller side was beyond it");
+        match Pyramid::new(&whole, bound).into_levels() {
+            Levels::U16(levels) => levels,
+            Levels::U8(_) | Levels::F32(_) => unreachable!("a pyramid has the texels of its map"),
+        }
+    }
+}
+
+/// The map and its mips; one that ends at its border has none.
+pub(super) fn all(texels: Vec<u16>, size: [u32; 2], wraps: bool) -> Vec<Mip> {
+    let mut mips = vec![Mip { size, texels }];
+    let steps = if wraps { size[0].min(size[1]).ilog2() } else { 0 };
+    for _ in 0..steps {
+        let finer = &mips[mips.len() - 1];
+        let coarser = Mip { size: finer.size.map(|side| side / 2), texels: halve(&finer.texels, finer.size) };
+        mips.push(coarser);
+    }
+    mips
+}
 
 /// A texel of the next mip is the mean of the four that it covers, rounded; a side of 1 stays. Sides are powers of two.
 pub(super) fn halve(texels: &[u16], [width, height]: [u32; 2]) -> Vec<u16> {

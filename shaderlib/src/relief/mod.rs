@@ -4,6 +4,7 @@
 //! level where a shift of its cells finds it (see [`Field::corner`]).
 
 mod atlas;
+mod coarse;
 mod cones;
 mod dirty;
 mod displacement;
@@ -18,6 +19,7 @@ mod strip;
 mod texture;
 mod update;
 
+pub use coarse::{COARSE, LARGE};
 pub use dirty::{Extent, Region, halved};
 pub use displacement::{Displacement, Undefined};
 pub use family::MethodError;

@@ -4,9 +4,10 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
 
 use super::dirty::Extent;
-use super::{Field, MapTexture, Plane, Words, atlas, cones, mips, patches, strip, update};
+use super::mips::{self, Mip};
+use super::{Field, MapTexture, Plane, Words, atlas, coarse, cones, patches, strip, update};
 use crate::heightfield::cones::Cones;
-use crate::heightfield::pyramid::{Bound, CHILDREN, Levels, Pyramid, Wide};
+use crate::heightfield::pyramid::{Bound, CHILDREN, Wide};
 use crate::heightfield::{Border, Heights, Texels};
 
 /// What a method knows of the empty space over a map.
@@ -25,7 +26,8 @@ pub enum Bounds {
     Quadrants,
     /// The same as `CellMax` in 32-bit words, and the heights as patches: four to a texel.
     Patches,
-    /// The cones of [`Cones::Robust`], tip and code in a word, those of all mips in one image; and the heights as patches.
+    /// The cones of [`Cones::Robust`], tip and code in a word, those of all mips in one image, and such cones over nodes of
+    /// [`COARSE`](super::COARSE); and the heights as patches.
     ConeWords,
     /// Sixteen children to a node.
     Wide,
@@ -72,12 +74,6 @@ impl fmt::Display for Unplaceable {
 
 impl std::error::Error for Unplaceable {}
 
-/// One mip of a map, filled up to powers of two.
-struct Mip {
-    size: [u32; 2],
-    texels: Vec<u16>,
-}
-
 impl Placed {
     /// Fills the map up to powers of two and builds the bounds of all its mips. After `limit` nodes a search is given up.
     ///
@@ -106,7 +102,7 @@ impl Placed {
         let extent = Extent::new(heights);
         let (tiled, wraps) = (extent.is_tiled(), heights.border() == Border::Wrap && !extent.is_tiled());
         let range = update::range(&texels);
-        let mips = mips(fill(&texels, &extent), extent.filled, wraps);
+        let mips = mips::all(fill(&texels, &extent), extent.filled, wraps);
         let fields = mips.iter().enumerate().map(|(mip, one)| {
             let sides = one.size.map(|side| side as i32 - 1);
             Field {
@@ -119,6 +115,7 @@ impl Placed {
                 layer: 0,
                 patches: patches::corner(mips[0].size, mip as u32).map(|at| at as i32),
                 unit: 0,
+                coarse: coarse::begin(mips[0].size, mip as u32, coarse::LARGE),
             }
         });
         let mut fields: Vec<Field> = fields.collect();
@@ -131,16 +128,23 @@ impl Placed {
                 quadtrees(&mips, Bound::CellMax, words)
             }
             Bounds::Wide => wide(&mips, &mut fields),
-            Bounds::ConeWords => cones::words(heights, mips.iter().map(|mip| (mip.size, &mip.texels[..])), progress),
-            Bounds::Quadrants => {
-                cones::quadrants(heights, mips.iter().map(|mip| (mip.size, &mip.texels[..])), progress)
-            }
-            Bounds::Cones(cones) => {
-                cones::plane(heights, mips.iter().map(|mip| (mip.size, &mip.texels[..])), cones, progress)
-            }
+            Bounds::ConeWords => cones::words(heights, &mips, progress),
+            Bounds::Quadrants => cones::quadrants(heights, &mips, progress),
+            Bounds::Cones(cones) => cones::plane(heights, &mips, cones, progress),
         };
         let heights = if bounds.are_beside_patches() { all_patches(&mips) } else { texels_of(mips) };
         Ok(Self { heights, bounds: image, fields, range, tiled })
+    }
+
+    /// Lets searches from cone to cone begin over coarse nodes on every mip that has some, however small: what a map of
+    /// [`LARGE`](super::LARGE) texels does by itself, for tests on maps that can be judged.
+    #[must_use]
+    pub fn begun_over_nodes(mut self) -> Self {
+        let map = self.fields[0].last.map(|last| (last as u32 + 1).next_power_of_two());
+        for (mip, field) in (0..).zip(&mut self.fields) {
+            field.coarse = coarse::begin(map, mip, 0);
+        }
+        self
     }
 
     fn plane(&self, texture: MapTexture) -> &Plane {
@@ -182,25 +186,13 @@ fn all_patches(mips: &[Mip]) -> Plane {
     Plane { size, words: Words::Rg32(vec![image]) }
 }
 
-/// The map and its mips; one that ends at its border has none.
-fn mips(texels: Vec<u16>, size: [u32; 2], wraps: bool) -> Vec<Mip> {
-    let mut mips = vec![Mip { size, texels }];
-    let steps = if wraps { size[0].min(size[1]).ilog2() } else { 0 };
-    for _ in 0..steps {
-        let finer = &mips[mips.len() - 1];
-        let coarser = Mip { size: finer.size.map(|side| side / 2), texels: mips::halve(&finer.texels, finer.size) };
-        mips.push(coarser);
-    }
-    mips
-}
-
 fn quadtrees(mips: &[Mip], bound: Bound, words: impl Fn(Vec<u16>) -> Words) -> Plane {
     let size = atlas::size(mips[0].size);
     let mut image = vec![0; size[0] as usize * size[1] as usize];
     for (index, mip) in mips.iter().enumerate() {
         let top = mip.size[0].min(mip.size[1]).ilog2() as usize;
         let corner = atlas::corner(mips[0].size, index as u32);
-        atlas::write(&mut image, size[0], corner, &quadtree(mip, bound)[..=top]);
+        atlas::write(&mut image, size[0], corner, &mip.quadtree(bound)[..=top]);
     }
     Plane { size, words: words(image) }
 }
@@ -230,17 +222,6 @@ fn wide_of(mip: &Mip) -> Wide {
     let mut pyramid = Wide::new(&whole).expect("16-bit heights are steps");
     pyramid.levels.truncate((size[0].min(size[1]).ilog2() / 2) as usize);
     pyramid
-}
-
-/// Filled up a map wraps, whatever it did: the nodes behind the border are held against the first column as well, which
-/// bounds them all the same.
-fn quadtree(mip: &Mip, bound: Bound) -> Vec<crate::heightfield::pyramid::Level<u16>> {
-    let whole = Heights::new(mip.size, Border::Wrap, Texels::U16(mip.texels.clone()))
-        .expect("a power of two is in range where no smaller side was beyond it");
-    match Pyramid::new(&whole, bound).into_levels() {
-        Levels::U16(levels) => levels,
-        Levels::U8(_) | Levels::F32(_) => unreachable!("a pyramid has the texels of its map"),
-    }
 }
 
 /// The texels of the first mip.

@@ -1,6 +1,6 @@
 //! The textures of height maps that methods and lights read.
 
-use super::{Bounds, Extent, Method, patches, strip};
+use super::{Bounds, Extent, Method, coarse, patches, strip};
 
 /// A texture over height maps of one size, a layer for each.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -79,7 +79,8 @@ impl MapTexture {
     pub fn size_over(self, extent: &Extent) -> [u32; 2] {
         match self {
             Self::Heights | Self::Bounds(Bounds::Cones(_) | Bounds::Quadrants) => extent.filled,
-            Self::Patches | Self::Bounds(Bounds::ConeWords) => patches::size(extent.filled, extent.mips > 1),
+            Self::Patches => patches::size(extent.filled, extent.mips > 1),
+            Self::Bounds(Bounds::ConeWords) => coarse::size(extent.filled, extent.mips > 1),
             Self::Bounds(Bounds::None) => [1, 1],
             Self::Bounds(Bounds::CellMax | Bounds::TexelMax | Bounds::Patches) => extent.image(),
             Self::Bounds(Bounds::Wide) => strip::size(extent),

@@ -73,6 +73,9 @@ const DISPLACED_LIMIT: u32 = 16384u;
 /// log2 of the steps of height to a step of a wide node's base, of maps of 16 bits.
 const DISPLACED_WIDE_UNIT: i32 = 4i;
 
+/// Texels along the shorter side of a mip from which on searches from cone to cone begin over coarse nodes.
+const DISPLACED_LARGE: i32 = 4096i;
+
 /// Longest path in texels of a mip: whole numbers up to it leave f32 room for a fraction.
 const DISPLACED_LONGEST: f32 = 65536.0;
 
@@ -137,7 +140,14 @@ fn displaced_field(layer: DisplacedLayer, mip: i32) -> ReliefField {
         layer.layer,
         select(patches, vec2i(0), mip == 0i),
         DISPLACED_WIDE_UNIT,
+        select(displaced_coarse(layer, sides), vec2i(-1), any(sides < vec2i(DISPLACED_LARGE))),
     );
+}
+
+/// Where the coarse nodes of a mip of so many cells stand in an image of cones: under the mip of that size.
+fn displaced_coarse(layer: DisplacedLayer, sides: vec2i) -> vec2i {
+    let nodes = sides >> vec2u(RELIEF_COARSE);
+    return vec2i(layer.size.x - 2i * nodes.x, layer.size.y + nodes.y);
 }
 
 /// The same where bounds are those of `wide` and begin at `first`.

@@ -25,6 +25,8 @@ struct ReliefField {
     patches: vec2i,
     /// log2 of the steps of height to a step of a wide node's base.
     unit: i32,
+    /// Where the mip's first coarse node stands in an image of cones; -1 where a search does not begin there.
+    coarse: vec2i,
 }
 
 /// A ray that comes down on the map, or leaves the ground.
@@ -66,6 +68,9 @@ const RELIEF_PAD: f32 = 0.125;
 
 /// Smallest component of a direction, 2^-60: no path is long enough to show it, and its inverse is far from overflow.
 const RELIEF_LEAST: f32 = 8.673617379884035e-19;
+
+/// log2 of the cells along a coarse node.
+const RELIEF_COARSE: u32 = 3u;
 
 /// The height of a texel in steps.
 fn relief_texel(heights: texture_2d_array<u32>, field: ReliefField, texel: vec2i) -> f32 {

@@ -3,9 +3,9 @@
 use terrane_shaderlib::heightfield::Border;
 use terrane_shaderlib::heightfield::cones::Cones;
 use terrane_shaderlib::heightfield::pyramid::Bound;
-use terrane_shaderlib::relief::{Bounds, Extent, MapTexture, Region};
+use terrane_shaderlib::relief::{Bounds, COARSE, Extent, MapTexture, Region};
 
-use super::cones::{Rounds, Squares, Ways};
+use super::cones::{Coarse, Rounds, Squares, Ways};
 use super::level::{Level, texture};
 use super::mips::Mips;
 use super::passes::{Pass, Passes};
@@ -32,8 +32,8 @@ enum Drawing {
     Wide(Strip),
     /// Square cones over all cells.
     Squares(Box<Squares>),
-    /// The same, those of all mips in one image.
-    Words(Box<Squares>),
+    /// The same, those of all mips in one image, and those over coarse nodes.
+    Words(Box<(Squares, Coarse)>),
     /// Round cones over all texels.
     Rounds(Box<Rounds>),
 }
@@ -51,7 +51,9 @@ pub(super) struct Change<'t> {
 /// The pyramid that a texture is drawn from; `None` for one that is drawn from heights alone.
 pub(super) fn bound(texture: MapTexture) -> Option<Bound> {
     match texture {
-        MapTexture::Bounds(Bounds::CellMax | Bounds::Patches | Bounds::Wide) => Some(Bound::CellMax),
+        MapTexture::Bounds(Bounds::CellMax | Bounds::Patches | Bounds::ConeWords | Bounds::Wide) => {
+            Some(Bound::CellMax)
+        }
         MapTexture::Bounds(Bounds::TexelMax) => Some(Bound::TexelMax),
         _ => None,
     }
@@ -81,7 +83,8 @@ impl Image {
             (MapTexture::Bounds(Bounds::Cones(Cones::Quadrant(number))), _) => squares(Ways::Quadrant(number)),
             (MapTexture::Bounds(Bounds::Quadrants), _) => squares(Ways::Quadrants),
             (MapTexture::Bounds(Bounds::ConeWords), _) => {
-                Drawing::Words(Box::new(Squares::new(passes, format, (extent, border), Ways::Words)))
+                let squares = Squares::new(passes, format, (extent, border), Ways::Words);
+                Drawing::Words(Box::new((squares, Coarse::new(passes, format, (extent, border)))))
             }
             (_, Some(bound)) => Drawing::Quadtrees(bound, passes.pass("build_same", format, &[])),
             (_, None) => Drawing::Nothing,
@@ -109,8 +112,13 @@ impl Image {
                 let image = Level::whole(&self.texture, change.mip);
                 squares.update(encoder, (image, [0, 0]), change.mip, change.heights);
             }
-            Drawing::Words(squares) => {
+            Drawing::Words(words) => {
+                let (squares, coarse) = &**words;
                 squares.update(encoder, (image, extent.patches(change.mip)), change.mip, change.heights);
+                let levels = change.levels(Bound::CellMax);
+                if let (Some(corner), Some((nodes, _))) = (extent.coarse(change.mip), levels.get(COARSE as usize)) {
+                    coarse.update(encoder, (image, corner), change.mip, *nodes);
+                }
             }
             Drawing::Rounds(rounds) => {
                 rounds.update(encoder, Level::whole(&self.texture, change.mip), change.mip, change.heights);

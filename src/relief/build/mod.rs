@@ -4,6 +4,7 @@
 //! ```text
 //! Heights --Source--> its texels --Mips--> heights --Quadtrees--> levels of a bound --Image--> textures
 //!                                          heights --Squares, Rounds--> cones
+//!                               a level of a bound --Coarse--> cones over its nodes
 //! ```
 //!
 //! Every arrow is a pass that draws, and draws only what a rectangle has changed; of cones it draws all.

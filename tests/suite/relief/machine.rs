@@ -11,7 +11,7 @@ use terrane_shaderlib::relief::{Field, Method, Placed, Plane};
 use super::{LIMIT, device, lands};
 
 /// The textures of a placed map: 0 its heights, 1 its bounds.
-struct Placement<'a>(&'a Placed);
+pub(super) struct Placement<'a>(pub(super) &'a Placed);
 
 impl Placement<'_> {
     fn plane(&self, texture: u32) -> Option<&Plane> {
@@ -88,7 +88,7 @@ impl Shaders {
 fn field<D: Domain>(field: &Field) -> Value<D> {
     let pairs = [field.wrap, field.last, field.corner].map(|pair| Value::integers(&[pair]));
     let rest = [Value::i32(&[field.top]), Value::u32(&[field.limit]), Value::integers(&[[field.mip, field.layer]])];
-    let last = [Value::integers(&[field.patches]), Value::i32(&[field.unit])];
+    let last = [Value::integers(&[field.patches]), Value::i32(&[field.unit]), Value::integers(&[field.coarse])];
     Value::join(pairs.into_iter().chain(rest).chain(last))
 }
 

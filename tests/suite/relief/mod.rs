@@ -5,6 +5,7 @@ mod build;
 mod chosen;
 mod defects;
 mod displacement;
+mod fields;
 mod figures;
 mod lighting;
 mod machine;
@@ -58,10 +59,20 @@ fn lands(rays: usize, seed: u64) -> impl Iterator<Item = (Heights, Vec<Segment>)
 }
 
 fn judge(method: Method, rays: usize, seed: u64) -> Option<(usize, Vec<String>)> {
+    let placed = |heights: &Heights| Placed::new(heights, method.bounds(), LIMIT).expect("whole steps can be placed");
+    judge_placed(method, &placed, rays, seed)
+}
+
+fn judge_placed(
+    method: Method,
+    placed: &dyn Fn(&Heights) -> Placed,
+    rays: usize,
+    seed: u64,
+) -> Option<(usize, Vec<String>)> {
     let gpu = device()?;
     let (mut count, mut faults) = (0, Vec::new());
     for (heights, sent) in lands(rays, seed) {
-        let placed = Placed::new(&heights, method.bounds(), LIMIT).expect("whole steps can be placed");
+        let placed = placed(&heights);
         let tracer = Tracer::new(&gpu, &heights, &placed, method).expect("the device takes it");
         let (traced, _) = tracer.trace(&sent).expect("the device answers");
         count += sent.len();
@@ -72,8 +83,13 @@ fn judge(method: Method, rays: usize, seed: u64) -> Option<(usize, Vec<String>)>
 
 #[track_caller]
 fn exact(method: Method) {
-    let Some((count, faults)) = judge(method, 600, 1) else { return };
-    assert!(count > 100_000, "only {count} rays");
+    let Some(judged) = judge(method, 600, 1) else { return };
+    faultless(method, &judged);
+}
+
+#[track_caller]
+fn faultless(method: Method, (count, faults): &(usize, Vec<String>)) {
+    assert!(*count > 100_000, "only {count} rays");
     let first: Vec<&String> = faults.iter().take(8).collect();
     assert!(faults.is_empty(), "{method}: {} of {count} rays\n{first:#?}", faults.len());
 }
@@ -101,6 +117,16 @@ fn the_stride_over_quadrants_is_exact() {
 #[test]
 fn the_leap_is_exact() {
     exact(Method::Leap);
+}
+
+#[test]
+fn the_leap_from_coarse_nodes_down_is_exact() {
+    let placed = |heights: &Heights| {
+        let placed = Placed::new(heights, Method::Leap.bounds(), LIMIT).expect("whole steps can be placed");
+        placed.begun_over_nodes()
+    };
+    let Some(judged) = judge_placed(Method::Leap, &placed, 600, 2) else { return };
+    faultless(Method::Leap, &judged);
 }
 
 #[test]

@@ -5,6 +5,7 @@
 //! ```
 
 mod beside;
+mod coarse;
 mod round;
 mod slopes;
 mod table;
@@ -21,6 +22,7 @@ use super::level::Level;
 use super::passes::{Pass, Passes};
 use super::quadtrees::Quadtrees;
 
+pub(super) use self::coarse::Coarse;
 pub(super) use self::round::Rounds;
 
 /// What draws them.
@@ -56,8 +58,17 @@ impl Squares {
         (extent, border): (&Extent, Border),
         ways: Ways,
     ) -> Self {
+        Self::over(passes, format, (sizes(extent, border), border), ways)
+    }
+
+    /// Those of texels in so many columns and rows, mip by mip.
+    pub(super) fn over(
+        passes: &Passes<'_>,
+        format: wgpu::TextureFormat,
+        (sizes, border): (Vec<[u32; 2]>, Border),
+        ways: Ways,
+    ) -> Self {
         let wraps = border == Border::Wrap;
-        let sizes = sizes(extent, border);
         let trees = sizes.iter().map(|size| border.cells(*size));
         let trees = trees.map(|finest| (finest, level_sizes(finest).count() as u32));
         let zero = f64::from(SLOPE.value(0).to_bits());
@@ -88,6 +99,17 @@ impl Squares {
         heights: Level<'_>,
     ) {
         let place = (corner, heights.size);
+        self.draw(encoder, image, place, (mip, heights));
+    }
+
+    /// The same where cones fill a part of so many columns and rows, which may be others than those of the heights.
+    fn draw(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        image: Level<'_>,
+        place: ([u32; 2], [u32; 2]),
+        (mip, heights): (u32, Level<'_>),
+    ) {
         let heights = Level { size: self.sizes[mip as usize], ..heights };
         let tips = self.tips.redraw(encoder, mip as usize, heights);
         let table = self.tables.room(heights.size);

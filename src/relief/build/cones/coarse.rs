@@ -1,0 +1,62 @@
+//! Cones over coarse nodes of a map and its mips.
+//!
+//! ```text
+//! a level of the quadtree --Corners--> the coarse map --Squares--> cones in words
+//! ```
+
+use terrane_shaderlib::heightfield::Border;
+use terrane_shaderlib::relief::{COARSE, Extent};
+
+use super::{Squares, Ways};
+use crate::relief::build::level::{Level, layers};
+use crate::relief::build::passes::{Pass, Passes};
+
+/// What draws them.
+#[derive(Debug)]
+pub(in crate::relief::build) struct Coarse {
+    device: wgpu::Device,
+    corners: Pass,
+    /// Columns and rows of the coarse map, and those of nodes, mip by mip.
+    sizes: Vec<([u32; 2], [u32; 2])>,
+    squares: Squares,
+}
+
+impl Coarse {
+    /// Those of a map.
+    pub(in crate::relief::build) fn new(
+        passes: &Passes<'_>,
+        format: wgpu::TextureFormat,
+        (extent, border): (&Extent, Border),
+    ) -> Self {
+        let wraps = border == Border::Wrap;
+        let mips = (0..extent.mips).filter(|mip| extent.coarse(*mip).is_some());
+        let nodes = mips.map(|mip| extent.filled.map(|side| side >> (mip + COARSE)));
+        // Of a map that ends the last nodes have corners behind them.
+        let sizes: Vec<_> = nodes.map(|nodes| (nodes.map(|side| side + u32::from(!wraps)), nodes)).collect();
+        let corners = sizes.iter().map(|(corners, _)| *corners).collect();
+        let constants = [("build_wraps", f64::from(u8::from(wraps)))];
+        Self {
+            device: passes.gpu.device.clone(),
+            corners: passes.pass("build_corners", CORNERS, &constants),
+            squares: Squares::over(passes, format, (corners, border), Ways::Words),
+            sizes,
+        }
+    }
+
+    /// Draws all cones of a mip, from the quadtree over its cells.
+    pub(in crate::relief::build) fn update<'t>(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        (image, corner): (Level<'_>, [u32; 2]),
+        mip: u32,
+        nodes: Level<'t>,
+    ) {
+        let (size, places) = self.sizes[mip as usize];
+        let corners = layers(&self.device, CORNERS, size, 1);
+        let corners = Level::whole(&corners, 0);
+        self.corners.draw(encoder, nodes, corners, &[size.map(|side| 0..side)]);
+        self.squares.draw(encoder, image, (corner, places), (mip, corners));
+    }
+}
+
+const CORNERS: wgpu::TextureFormat = wgpu::TextureFormat::R16Uint;
