@@ -3,8 +3,9 @@
 //!
 //! It visits the cells that `robust_cone` visits, and is exact for the same reasons. Over a map that caches do not hold it begins
 //! over coarse nodes, which they do hold, and stays there while a step leads far. A node's cone is that of a cell of a coarse
-//! map above the surface, in a frame of nodes instead of cells: the products with powers of two round nothing. Its tip is as high as
-//! all of the nodes around it, so that the cell at the last t may be off by what rounding moves the ray, to either side.
+//! map above the surface, in a frame of nodes instead of cells: products with powers of two round nothing, and the place in the first
+//! node by less than a cone is taken lower. Its tip is as high as all of the nodes around it, so that the cell at the last t may be off
+//! by what rounding moves the ray, to either side.
 //! Source: Terrane; see `robust_cone` and `sprint`. That empty space is crossed over coarser data first: Tevs, Ihrke and Seidel, I3D 2008.
 
 /// The first hit of a ray. A texel of `patches` holds the four heights of a cell, two to a word; one of `cones` the height of its
@@ -90,18 +91,13 @@ fn leap_over_nodes(frame: WalkFrame) -> WalkFrame {
     let base = frame.base >> shift;
     let origin = (frame.origin.xy + vec2f(frame.base - (base << shift))) / side;
     let inverse = frame.inverse * side;
-    return WalkFrame(
-        frame.mirror,
-        base,
-        vec3f(origin, frame.origin.z),
-        frame.lid,
-        vec3f(frame.direction.xy / side, frame.direction.z),
-        inverse,
-        -origin * inverse,
-        frame.slowness,
-        frame.falls,
-        frame.end,
-    );
+    var over = frame;
+    over.base = base;
+    over.origin = vec3f(origin, frame.origin.z);
+    over.direction = vec3f(frame.direction.xy / side, frame.direction.z);
+    over.inverse = inverse;
+    over.before = -origin * inverse;
+    return over;
 }
 
 /// The cone of a cell or a node: the height of its tip, and how steep it is.
