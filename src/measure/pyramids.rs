@@ -69,8 +69,7 @@ fn pyramid_on(gpu: &Gpu, heights: &Heights, bound: Bound, rounds: u32) -> Result
 
 /// Milliseconds that a device takes for the textures of a method.
 fn placed_on(gpu: &Gpu, heights: &Heights, bounds: Bounds, rounds: u32) -> Result<f64, RenderError> {
-    let surface = if bounds.are_beside_patches() { MapTexture::Patches } else { MapTexture::Heights };
-    let textures = [surface, MapTexture::Bounds(bounds)];
+    let textures: Vec<MapTexture> = bounds.surface().into_iter().chain([MapTexture::Bounds(bounds)]).collect();
     let built = Textures::new(gpu, heights, &textures)?;
     timed_on(gpu, rounds, || built.update(heights, &whole(heights)))
 }

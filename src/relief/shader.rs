@@ -134,7 +134,8 @@ fn entry(method: Method, binding: u32) -> wgpu::BindGroupLayoutEntry {
     wgpu::BindGroupLayoutEntry { binding, visibility: wgpu::ShaderStages::COMPUTE, ty, count: None }
 }
 
-/// What is bound as heights and as bounds.
+/// What is bound as heights, read or not, and as bounds.
 fn textures(method: Method) -> [MapTexture; 2] {
-    [method.reads()[0], MapTexture::Bounds(method.bounds())]
+    let bounds = method.bounds();
+    [bounds.surface().unwrap_or(MapTexture::Heights), MapTexture::Bounds(bounds)]
 }

@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use terrane_shaderlib::relief::{MapTexture, Method};
 
 use crate::diagnostic::Span;
-use crate::graph::model::{ReliefShadow, ReliefTrace};
+use crate::graph::model::{ReliefMethod, ReliefShadow, ReliefTrace};
 
 use super::{Program, ValueId};
 
@@ -25,7 +25,14 @@ impl ProgramRelief {
     pub fn textures(&self) -> Vec<MapTexture> {
         let lit = self.trace.shadow != ReliefShadow::Off || self.trace.occlusion > 0;
         let light = MapTexture::LIGHT.into_iter().filter(|_| lit);
-        light.chain(self.method.reads()).collect::<BTreeSet<_>>().into_iter().collect()
+        light.chain(self.searched()).collect::<BTreeSet<_>>().into_iter().collect()
+    }
+
+    /// What a search reads: the method's textures, and the heights where a single look at them may do.
+    pub fn searched(&self) -> Vec<MapTexture> {
+        let looks = matches!(self.trace.method, ReliefMethod::Auto { .. });
+        let heights = looks.then_some(MapTexture::Heights);
+        heights.into_iter().chain(self.method.reads()).collect::<BTreeSet<_>>().into_iter().collect()
     }
 
     /// All arrays with their textures, in the order in which they are bound and passed on.

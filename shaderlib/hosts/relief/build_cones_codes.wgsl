@@ -31,20 +31,14 @@ fn build_cone(@builtin(position) position: vec4f) -> @location(0) vec2u {
     return build_tip_and_code(build_cell(position));
 }
 
-/// The same in one word.
-@fragment
-fn build_cone_word(@builtin(position) position: vec4f) -> @location(0) u32 {
-    let cone = build_tip_and_code(build_cell(position));
-    return cone.x | (cone.y << 16u);
-}
-
 /// The codes of the four quadrants, rounded up to twelve bits each, and above them the halves of the tip's height.
 @fragment
-fn build_quadrants(@builtin(position) position: vec4f) -> @location(0) vec2u {
+fn build_quadrants(@builtin(position) position: vec4f) -> @location(0) vec4u {
     let at = build_cell(position);
     let slopes = textureLoad(build_slopes, at, 0i);
     let near = vec4u(build_code(slopes.x), build_code(slopes.y), build_code(slopes.z), build_code(slopes.w));
     let codes = min((near + 15u) >> vec4u(4u), vec4u(0xfffu));
     let tip = build_texel(at);
-    return codes.xz | (codes.yw << vec2u(12u)) | (vec2u(tip & 0xffu, tip >> 8u) << vec2u(24u));
+    let words = codes.xz | (codes.yw << vec2u(12u)) | (vec2u(tip & 0xffu, tip >> 8u) << vec2u(24u));
+    return vec4u(words, 0u, 0u);
 }

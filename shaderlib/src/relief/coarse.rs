@@ -64,11 +64,24 @@ mod tests {
     use crate::heightfield::cones::SLOPE;
     use crate::relief::{Bounds, MapTexture, Placed};
 
-    /// How far a texel is from what lies between two others, the map repeated where it wraps.
-    fn away(at: u32, [first, last]: [u32; 2], side: u32, border: Border) -> u32 {
-        let one = |at: i64| (i64::from(first) - at).max(at - i64::from(last)).max(0) as u32;
+    /// How far a texel is from what lies between two others, one way, the map repeated where it wraps; nothing where it lies the
+    /// other way.
+    fn away(at: u32, [first, last]: [u32; 2], side: u32, border: Border, is_backward: bool) -> Option<u32> {
+        let (at, first, last, side) = (i64::from(at), i64::from(first), i64::from(last), i64::from(side));
         let turns = if border == Border::Wrap { -1..=1 } else { 0..=0 };
-        turns.map(|turn| one(i64::from(at) + turn * i64::from(side))).min().unwrap_or(0)
+        let ahead = turns.map(|turn| if is_backward { last - at - turn * side } else { at + turn * side - first });
+        ahead.filter(|ahead| *ahead >= 0).map(|ahead| (ahead - (last - first)).max(0) as u32).min()
+    }
+
+    fn texels([width, height]: [u32; 2]) -> impl Iterator<Item = [u32; 2]> {
+        (0..height).flat_map(move |y| (0..width).map(move |x| [x, y]))
+    }
+
+    /// The tip of the cone toward a quadrant, and how steep it is.
+    fn toward([north, south, ..]: [u32; 4], quadrant: u32) -> (f64, f64) {
+        let word = if quadrant < 2 { north } else { south };
+        let code = word >> (12 * (quadrant & 1)) & 0xfff;
+        (f64::from(north >> 24 | south >> 24 << 8), f64::from(SLOPE.value((code << 4) as u16)))
     }
 
     /// Nothing stands out of a cone, from wherever over its node it is looked at.
@@ -77,18 +90,19 @@ mod tests {
         for (size, border) in [([32, 16], Border::Wrap), ([64, 64], Border::Wrap), ([29, 41], Border::Clamp)] {
             for (index, land) in LANDS.into_iter().enumerate() {
                 let heights = map(land, size, border, Depth::Sixteen, index as u64).unwrap();
-                let image = Placed::new(&heights, Bounds::ConeWords, 1).unwrap().bounds;
+                let image = Placed::new(&heights, Bounds::Cells, 1).unwrap().bounds;
                 let filled = size.map(u32::next_power_of_two);
                 let corner = corner(filled, 0).unwrap();
                 // Cells end one before the last texel of a map that ends.
                 let nodes = border.cells(size).map(|cells| cells.div_ceil(1 << COARSE));
                 for node in (0..nodes[1]).flat_map(|y| (0..nodes[0]).map(move |x| [x, y])) {
-                    let [word, ..] = image.texel(0, [0, 1].map(|axis| corner[axis] + node[axis])).unwrap();
-                    let (tip, slope) = (f64::from(word & 0xffff), f64::from(SLOPE.value((word >> 16) as u16)));
+                    let words = image.texel(0, [0, 1].map(|axis| corner[axis] + node[axis])).unwrap();
                     let across = [0, 1].map(|axis| [node[axis] << COARSE, (node[axis] + 1) << COARSE]);
-                    for [x, y] in (0..size[1]).flat_map(|y| (0..size[0]).map(move |x| [x, y])) {
-                        let along = away(x, across[0], size[0], border).max(away(y, across[1], size[1], border));
-                        let free = tip + slope * f64::from(along) / f64::from(1 << COARSE);
+                    for (quadrant, [x, y]) in (0..4).flat_map(|quadrant| texels(size).map(move |at| (quadrant, at))) {
+                        let along = |axis: usize, at| away(at, across[axis], size[axis], border, quadrant >> axis & 1 > 0);
+                        let (Some(east), Some(north)) = (along(0, x), along(1, y)) else { continue };
+                        let (tip, slope) = toward(words, quadrant);
+                        let free = tip + slope * f64::from(east.max(north)) / f64::from(1 << COARSE);
                         let height = heights.height(x.into(), y.into());
                         assert!(height <= free, "{land:?} {size:?}: {node:?} {x} {y}: {height} over {free}");
                     }
@@ -114,6 +128,6 @@ mod tests {
         }
         assert_eq!(begin([LARGE; 2], 0, LARGE), [(LARGE - LARGE / 4) as i32, (LARGE + LARGE / 8) as i32]);
         assert_eq!([begin([LARGE; 2], 1, LARGE), begin([4, 4], 0, 0)], [[-1; 2]; 2]);
-        assert_eq!(MapTexture::Bounds(Bounds::ConeWords).size([4, 4]), [4, 6]);
+        assert_eq!(MapTexture::Bounds(Bounds::Cells).size([4, 4]), [4, 6]);
     }
 }

@@ -45,39 +45,45 @@ fn image(heights: &Heights, [width, height]: [u32; 2], cones: Cones, progress: P
     image
 }
 
-/// Robust cones in words, the tip's height below the code: those of all mips in one image, where patches stand, and those over
-/// coarse nodes.
-pub(super) fn words(heights: &Heights, mips: &[Mip], progress: Progress<'_>) -> Plane {
+/// The cones of the four quadrants in two words of a texel, and the cell's patch in the other two: those of all mips in one image,
+/// where patches stand, and cones over coarse nodes.
+pub(super) fn cells(heights: &Heights, mips: &[Mip], progress: Progress<'_>) -> Plane {
     let map = mips[0].size;
     let size = coarse::size(map, mips.len() > 1);
-    let mut image = vec![0; size[0] as usize * size[1] as usize];
-    let mut write = |corner: [u32; 2], width: u32, texels: &[[u16; 2]]| {
+    let mut image = vec![[0; 4]; size[0] as usize * size[1] as usize];
+    let mut write = |corner: [u32; 2], width: u32, cones: &[[u32; 2]]| {
         let [left, top] = corner.map(|at| at as usize);
-        for (y, row) in texels.chunks_exact(width as usize).enumerate() {
-            let words = row.iter().map(|[tip, code]| u32::from(*tip) | u32::from(*code) << 16);
-            image[(top + y) * size[0] as usize + left..].iter_mut().zip(words).for_each(|(to, word)| *to = word);
+        for (y, row) in cones.chunks_exact(width as usize).enumerate() {
+            let cells = &mut image[(top + y) * size[0] as usize + left..];
+            cells.iter_mut().zip(row).for_each(|(cell, cones)| cell[..2].copy_from_slice(cones));
         }
     };
-    for (index, (mip, texels)) in (0..).zip(mips.iter().zip(images(heights, mips, Cones::Robust, progress))) {
-        write(patches::corner(map, index), mip.size[0], &texels);
+    for (index, mip) in (0..).zip(mips) {
+        write(patches::corner(map, index), mip.size[0], &toward_all(&own(heights, mip), mip.size, progress));
         if let Some(corner) = coarse::corner(map, index) {
             let nodes = coarse::nodes(mip.size);
-            let over = coarse::heights(mip, heights.border());
-            write(corner, nodes[0], &self::image(&over, nodes, Cones::Robust, progress));
+            write(corner, nodes[0], &toward_all(&coarse::heights(mip, heights.border()), nodes, progress));
         }
     }
-    Plane { size, words: Words::R32(image) }
+    for (index, mip) in (0..).zip(mips) {
+        let patch = |cell: &mut [u32; 4], patch: [u32; 2]| cell[2..].copy_from_slice(&patch);
+        patches::write(&mut image, size[0], patches::corner(map, index), mip, patch);
+    }
+    Plane { size, words: Words::Rgba32(image) }
 }
 
-/// The cones of the four quadrants in one texel. A word for each way along y holds two slopes of twelve bits, toward larger x and
-/// toward smaller, and above them the low or the high half of the tip's height.
+/// The cones of the four quadrants in one texel.
 pub(super) fn quadrants(heights: &Heights, mips: &[Mip], progress: Progress<'_>) -> Plane {
-    let [a, b, c, d] = [0, 1, 2, 3].map(|number| images(heights, mips, Cones::Quadrant(number), progress));
-    let joined = a.iter().zip(&b).zip(c.iter().zip(&d)).map(|((a, b), (c, d))| {
-        let texels = a.iter().zip(b).zip(c.iter().zip(d));
-        texels.map(|((a, b), (c, d))| packed(a[0], [a[1], b[1], c[1], d[1]])).collect()
-    });
-    Plane { size: mips[0].size, words: Words::Rg32(joined.collect()) }
+    let images = mips.iter().map(|mip| toward_all(&own(heights, mip), mip.size, progress));
+    Plane { size: mips[0].size, words: Words::Rg32(images.collect()) }
+}
+
+/// A word for each way along y holds two slopes of twelve bits, toward larger x and toward smaller, and above them the low or the
+/// high half of the tip's height.
+fn toward_all(heights: &Heights, size: [u32; 2], progress: Progress<'_>) -> Vec<[u32; 2]> {
+    let [a, b, c, d] = [0, 1, 2, 3].map(|number| image(heights, size, Cones::Quadrant(number), progress));
+    let texels = a.iter().zip(b).zip(c.iter().zip(d));
+    texels.map(|((a, b), (c, d))| packed(a[0], [a[1], b[1], c[1], d[1]])).collect()
 }
 
 /// A texel of four codes, rounded up to twelve bits.

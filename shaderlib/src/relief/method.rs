@@ -34,7 +34,7 @@ pub enum Method {
     QuadtreeReliefExact,
     /// `shaderlib/wgsl/relief/robust_cone.wgsl`.
     RobustCone,
-    /// `shaderlib/wgsl/relief/leap.wgsl`: the same over storage textures, for devices where arithmetic is dear.
+    /// `shaderlib/wgsl/relief/leap.wgsl`: that over cones of a quadrant, with one load to a cell.
     Leap,
     /// `shaderlib/wgsl/relief/stride.wgsl`: `RobustCone` in one loop, for GPUs.
     Stride,
@@ -63,7 +63,7 @@ impl Method {
     #[must_use]
     pub fn fastest(platform: Platform) -> Self {
         match platform {
-            Platform::Gpu => Self::Stride,
+            Platform::Gpu => Self::Leap,
             Platform::Cpu => Self::Walk,
         }
     }
@@ -71,7 +71,7 @@ impl Method {
     /// Whether it finds the first hit of every ray.
     #[must_use]
     pub fn is_exact(self) -> bool {
-        let cones = matches!(self.bounds(), Bounds::Cones(Cones::Robust) | Bounds::Quadrants | Bounds::ConeWords);
+        let cones = matches!(self.bounds(), Bounds::Cones(Cones::Robust) | Bounds::Quadrants | Bounds::Cells);
         cones || matches!(self.bounds(), Bounds::CellMax | Bounds::Patches | Bounds::Wide)
     }
 
@@ -90,7 +90,7 @@ impl Method {
             Self::Linear(..) | Self::ParallaxOffset(_) => Bounds::None,
             Self::RobustCone | Self::Stride => Bounds::Cones(Cones::Robust),
             Self::StrideQuadrants => Bounds::Quadrants,
-            Self::Leap => Bounds::ConeWords,
+            Self::Leap => Bounds::Cells,
             Self::ConeStep(_) => Bounds::Cones(Cones::Step),
             Self::RelaxedCone(..) => Bounds::Cones(Cones::Relaxed),
         }
@@ -110,7 +110,7 @@ impl Method {
             Self::ShadowHard => leaving("shadow_hard_trace"),
             Self::ShadowWide => leaving("shadow_wide_trace"),
             Self::RobustCone => exact("robust_cone_trace"),
-            Self::Leap => exact("leap_trace"),
+            Self::Leap => format!("leap_trace({bounds}, {field}, {ray})"),
             Self::Stride => exact("stride_trace"),
             Self::StrideQuadrants => exact("stride_quadrants_trace"),
             Self::ConeStep(steps) => format!("cone_step_trace({heights}, {bounds}, {field}, {ray}, {steps}u)"),

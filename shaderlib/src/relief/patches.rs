@@ -1,5 +1,7 @@
 //! One image for the patches of all mips of a map: the four heights of a cell in one texel.
 
+use super::mips::Mip;
+
 /// Where the first patch of a mip stands: the mips under the map, each to the right of the one before.
 pub(super) fn corner([width, height]: [u32; 2], mip: u32) -> [u32; 2] {
     match mip {
@@ -14,17 +16,22 @@ pub(super) fn size([width, height]: [u32; 2], has_mips: bool) -> [u32; 2] {
 }
 
 /// Writes the patches of a mip that wraps: its texels to the corner, along x in the high half, the row behind in the second word.
-pub(super) fn write(image: &mut [[u32; 2]], columns: u32, [left, top]: [u32; 2], texels: &[u16], size: [u32; 2]) {
-    let [width, height] = size.map(|side| side as usize);
+/// `set` puts one into a texel of the image.
+pub(super) fn write<T>(
+    image: &mut [T],
+    columns: u32,
+    [left, top]: [u32; 2],
+    mip: &Mip,
+    set: impl Fn(&mut T, [u32; 2]),
+) {
+    let [width, height] = mip.size.map(|side| side as usize);
     let pairs = |y: usize| {
-        let row = &texels[y % height * width..][..width];
+        let row = &mip.texels[y % height * width..][..width];
         row.iter().enumerate().map(move |(x, near)| u32::from(*near) | u32::from(row[(x + 1) % width]) << 16)
     };
     for y in 0..height {
         let row = &mut image[(top as usize + y) * columns as usize + left as usize..][..width];
-        for (patch, words) in row.iter_mut().zip(pairs(y).zip(pairs(y + 1))) {
-            *patch = words.into();
-        }
+        row.iter_mut().zip(pairs(y).zip(pairs(y + 1))).for_each(|(texel, words)| set(texel, words.into()));
     }
 }
 
@@ -39,7 +46,7 @@ mod tests {
         for mip in (0..=2).rev() {
             let size = map.map(|side| side >> mip);
             let texels: Vec<u16> = (0..size[0] * size[1]).map(|index| (100 * mip + index) as u16).collect();
-            write(&mut image, 8, corner(map, mip), &texels, size);
+            write(&mut image, 8, corner(map, mip), &Mip { size, texels }, |texel, patch| *texel = patch);
         }
         assert_eq!(size_of_all(map), 8 * 6);
         assert_eq!(image[0], [1 << 16, 8 | 9 << 16]);

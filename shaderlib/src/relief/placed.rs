@@ -26,18 +26,22 @@ pub enum Bounds {
     Quadrants,
     /// The same as `CellMax` in 32-bit words, and the heights as patches: four to a texel.
     Patches,
-    /// The cones of [`Cones::Robust`], tip and code in a word, those of all mips in one image, and such cones over nodes of
-    /// [`COARSE`](super::COARSE); and the heights as patches.
-    ConeWords,
+    /// All that a search from cone to cone asks of a cell in one texel: the cones of `Quadrants`, and its patch. Those of all mips
+    /// in one image, and such cones over nodes of [`COARSE`](super::COARSE).
+    Cells,
     /// Sixteen children to a node.
     Wide,
 }
 
 impl Bounds {
-    /// Whether methods read patches beside them, and not heights.
+    /// What methods read of the surface beside them; nothing where they hold it themselves.
     #[must_use]
-    pub fn are_beside_patches(self) -> bool {
-        matches!(self, Self::Patches | Self::ConeWords)
+    pub fn surface(self) -> Option<MapTexture> {
+        match self {
+            Self::Patches => Some(MapTexture::Patches),
+            Self::Cells => None,
+            _ => Some(MapTexture::Heights),
+        }
     }
 }
 
@@ -128,11 +132,11 @@ impl Placed {
                 quadtrees(&mips, Bound::CellMax, words)
             }
             Bounds::Wide => wide(&mips, &mut fields),
-            Bounds::ConeWords => cones::words(heights, &mips, progress),
+            Bounds::Cells => cones::cells(heights, &mips, progress),
             Bounds::Quadrants => cones::quadrants(heights, &mips, progress),
             Bounds::Cones(cones) => cones::plane(heights, &mips, cones, progress),
         };
-        let heights = if bounds.are_beside_patches() { all_patches(&mips) } else { texels_of(mips) };
+        let heights = if bounds == Bounds::Patches { all_patches(&mips) } else { texels_of(mips) };
         Ok(Self { heights, bounds: image, fields, range, tiled })
     }
 
@@ -161,8 +165,7 @@ impl Placed {
 /// Those of [`Unplaceable`].
 pub fn planes(heights: &Heights, textures: &[MapTexture]) -> Result<Vec<Plane>, Unplaceable> {
     // Heights come with any bounds but patches.
-    let other =
-        |texture: &&MapTexture| texture.placed_with() != Bounds::None && !texture.placed_with().are_beside_patches();
+    let other = |texture: &&MapTexture| !matches!(texture.placed_with(), Bounds::None | Bounds::Patches);
     let beside = textures.iter().find(other).map_or(Bounds::None, |texture| texture.placed_with());
     let with = |texture: MapTexture| if texture == MapTexture::Heights { beside } else { texture.placed_with() };
     let all: BTreeSet<Bounds> = textures.iter().map(|texture| with(*texture)).collect();
@@ -181,7 +184,8 @@ fn all_patches(mips: &[Mip]) -> Plane {
     let size = patches::size(mips[0].size, mips.len() > 1);
     let mut image = vec![[0; 2]; size[0] as usize * size[1] as usize];
     for (index, mip) in mips.iter().enumerate() {
-        patches::write(&mut image, size[0], patches::corner(mips[0].size, index as u32), &mip.texels, mip.size);
+        let corner = patches::corner(mips[0].size, index as u32);
+        patches::write(&mut image, size[0], corner, mip, |texel, patch| *texel = patch);
     }
     Plane { size, words: Words::Rg32(vec![image]) }
 }

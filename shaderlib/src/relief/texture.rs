@@ -26,7 +26,7 @@ impl MapTexture {
             Self::Bounds(Bounds::None | Bounds::CellMax) => "bounds",
             Self::Bounds(Bounds::TexelMax) => "texel_bounds",
             Self::Bounds(Bounds::Patches) => "patch_bounds",
-            Self::Bounds(Bounds::ConeWords) => "cone_words",
+            Self::Bounds(Bounds::Cells) => "cells",
             Self::Bounds(Bounds::Wide) => "wide_bounds",
             Self::Bounds(Bounds::Cones(_)) => "cones",
             Self::Bounds(Bounds::Quadrants) => "quadrant_cones",
@@ -39,8 +39,8 @@ impl MapTexture {
         match self {
             Self::Heights | Self::Bounds(Bounds::None | Bounds::CellMax | Bounds::TexelMax) => "r16uint",
             Self::Patches | Self::Bounds(Bounds::Quadrants) => "rg32uint",
-            Self::Bounds(Bounds::Patches | Bounds::ConeWords) => "r32uint",
-            Self::Bounds(Bounds::Wide) => "rgba32uint",
+            Self::Bounds(Bounds::Patches) => "r32uint",
+            Self::Bounds(Bounds::Wide | Bounds::Cells) => "rgba32uint",
             Self::Bounds(Bounds::Cones(_)) => "rg16uint",
         }
     }
@@ -49,7 +49,7 @@ impl MapTexture {
     /// `readonly_and_readwrite_storage_textures`.
     #[must_use]
     pub fn is_storage(self) -> bool {
-        matches!(self, Self::Patches | Self::Bounds(Bounds::Patches | Bounds::ConeWords))
+        matches!(self, Self::Patches | Self::Bounds(Bounds::Patches))
     }
 
     /// Its type in WGSL.
@@ -80,7 +80,7 @@ impl MapTexture {
         match self {
             Self::Heights | Self::Bounds(Bounds::Cones(_) | Bounds::Quadrants) => extent.filled,
             Self::Patches => patches::size(extent.filled, extent.mips > 1),
-            Self::Bounds(Bounds::ConeWords) => coarse::size(extent.filled, extent.mips > 1),
+            Self::Bounds(Bounds::Cells) => coarse::size(extent.filled, extent.mips > 1),
             Self::Bounds(Bounds::None) => [1, 1],
             Self::Bounds(Bounds::CellMax | Bounds::TexelMax | Bounds::Patches) => extent.image(),
             Self::Bounds(Bounds::Wide) => strip::size(extent),
@@ -107,13 +107,11 @@ impl MapTexture {
 }
 
 impl Method {
-    /// The textures that it reads: heights, then bounds if it has any.
+    /// The textures that it reads: the surface, unless bounds hold it, then bounds if it has any.
     #[must_use]
     pub fn reads(self) -> Vec<MapTexture> {
-        let beside = self.bounds().are_beside_patches();
-        let heights = if beside { MapTexture::Patches } else { MapTexture::Heights };
         let bounds = (self.bounds() != Bounds::None).then_some(MapTexture::Bounds(self.bounds()));
-        std::iter::once(heights).chain(bounds).collect()
+        self.bounds().surface().into_iter().chain(bounds).collect()
     }
 }
 
@@ -130,7 +128,7 @@ mod tests {
         MapTexture::Bounds(Bounds::CellMax),
         MapTexture::Bounds(Bounds::TexelMax),
         MapTexture::Bounds(Bounds::Patches),
-        MapTexture::Bounds(Bounds::ConeWords),
+        MapTexture::Bounds(Bounds::Cells),
         MapTexture::Bounds(Bounds::Wide),
         MapTexture::Bounds(Bounds::Cones(Cones::Step)),
         MapTexture::Bounds(Bounds::Cones(Cones::Robust)),

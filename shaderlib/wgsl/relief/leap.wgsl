@@ -1,67 +1,44 @@
-//! From cone to cone with the least work to a load, for devices where arithmetic is dear: cones and patches are storage textures, a
-//! cone and its tip are one word, and the four heights of a patch are one texel.
+//! From cone to cone with one load to a cell: a texel holds all that a search asks of it, the cones toward four quadrants, their tip,
+//! and the four heights of its patch.
 //!
-//! It visits the cells that `robust_cone` visits, and is exact for the same reasons. Over a map that caches do not hold it begins
-//! over coarse nodes, which they do hold, and stays there while a step leads far. A node's cone is that of a cell of a coarse
-//! map above the surface, in a frame of nodes instead of cells: products with powers of two round nothing, and the place in the first
-//! node by less than a cone is taken lower. Its tip is as high as all of the nodes around it, so that the cell at the last t may be off
-//! by what rounding moves the ray, to either side.
-//! Source: Terrane; see `robust_cone` and `sprint`. That empty space is crossed over coarser data first: Tevs, Ihrke and Seidel, I3D 2008.
+//! It visits the cells that `stride_quadrants` visits, and is exact for the same reasons. A GPU waits for what it loads, and in one
+//! loop nearly every step meets a lane whose patch would be loaded after the cone; llvmpipe pays for every load, and for every loop.
+//!
+//! Over a map that caches do not hold it begins over coarse nodes, which they do hold, and stays there while a step leads far.
+//! A node's cones are those of a cell of a coarse map above the surface, in a frame of nodes instead of cells: products with powers of
+//! two round nothing, and the place in the first node by less than a cone is taken lower. Their tip is as high as all of the nodes
+//! around it, so that the cell at the last t may be off by what rounding moves the ray, to either side.
+//! Source: Terrane; see `robust_cone` and `stride_quadrants`. That empty space is crossed over coarser data first: Tevs, Ihrke and Seidel, I3D 2008.
 
-/// The first hit of a ray. A texel of `patches` holds the four heights of a cell, two to a word; one of `cones` the height of its
-/// highest corner and above that the code of its cone, and so for coarse nodes.
-fn leap_trace(
-    patches: texture_storage_2d_array<rg32uint, read>,
-    cones: texture_storage_2d_array<r32uint, read>,
-    field: ReliefField,
-    ray: ReliefRay,
-) -> ReliefHit {
+/// The first hit of a ray.
+fn leap_trace(cells: texture_2d_array<u32>, field: ReliefField, ray: ReliefRay) -> ReliefHit {
     let frame = walk_frame(ray);
     var state = RobustConeState(vec2f(1.0), 0.0, 0.0, 0u, false);
     if field.coarse.x >= 0i {
-        state = leap_to_ground(cones, field, frame, state);
+        state = leap_to_ground(cells, field, frame, state);
     }
     var leaves = 0u;
-    loop {
-        state = leap_to_cell(cones, field, frame, state);
-        if !state.stands {
-            break;
+    var goes_on = state.t <= frame.end;
+    while goes_on {
+        let cell = robust_cone_cell(frame, state.sides) ^ frame.mirror;
+        let texel = leap_texel(cells, field, min(cell & field.wrap, field.last) + field.patches);
+        state = robust_cone_step(frame, state, stride_quadrants_of(texel.xy, frame.mirror));
+        if state.stands {
+            leaves++;
+            let t = robust_cone_patch(frame, state, relief_mirrored(leap_corners(texel.zw), frame.mirror));
+            if t <= frame.end {
+                return ReliefHit(t, RELIEF_HIT, cell, state.steps, leaves);
+            }
+            state = robust_cone_past(frame, state);
         }
-        leaves++;
-        let cell = robust_cone_cell(frame, state.sides);
-        let t = robust_cone_patch(frame, state, sprint_corners(patches, field, cell, frame.mirror));
-        if t <= frame.end {
-            return ReliefHit(t, RELIEF_HIT, cell ^ frame.mirror, state.steps, leaves);
-        }
-        state = robust_cone_past(frame, state);
-        if state.t >= frame.end {
-            break;
-        }
+        goes_on = state.t < frame.end && state.steps < field.limit;
     }
     return robust_cone_over(frame, state, leaves);
 }
 
-/// Goes from cone to cone until it stands on a cell that may be hit, is past the end, or has seen too many.
-fn leap_to_cell(
-    cones: texture_storage_2d_array<r32uint, read>,
-    field: ReliefField,
-    frame: WalkFrame,
-    start: RobustConeState,
-) -> RobustConeState {
-    var state = start;
-    // One way out, at the top: see `robust_cone`.
-    var goes_on = state.t <= frame.end;
-    while goes_on {
-        let cell = min((robust_cone_cell(frame, state.sides) ^ frame.mirror) & field.wrap, field.last);
-        state = robust_cone_step(frame, state, leap_cone(cones, cell + field.patches, field.layer));
-        goes_on = !state.stands && state.t < frame.end && state.steps < field.limit;
-    }
-    return state;
-}
-
 /// Goes from cone to cone over coarse nodes until a step leads no farther than LEAP_FAR, is past the end, or has seen too many.
 fn leap_to_ground(
-    cones: texture_storage_2d_array<r32uint, read>,
+    cells: texture_2d_array<u32>,
     field: ReliefField,
     frame: WalkFrame,
     start: RobustConeState,
@@ -73,7 +50,8 @@ fn leap_to_ground(
     while goes_on {
         let node = min((robust_cone_cell(over, state.sides) ^ frame.mirror) & (field.wrap >> shift), field.last >> shift);
         let before = state.t;
-        state = robust_cone_step(over, state, leap_cone(cones, node + field.coarse, field.layer));
+        let cone = stride_quadrants_of(leap_texel(cells, field, node + field.coarse).xy, frame.mirror);
+        state = robust_cone_step(over, state, cone);
         goes_on = state.t - before > LEAP_FAR && state.t < frame.end && state.steps < field.limit;
     }
     // A ray that has not moved is still in its first cell, if at the very side of it.
@@ -100,8 +78,14 @@ fn leap_over_nodes(frame: WalkFrame) -> WalkFrame {
     return over;
 }
 
-/// The cone of a cell or a node: the height of its tip, and how steep it is.
-fn leap_cone(cones: texture_storage_2d_array<r32uint, read>, at: vec2i, layer: i32) -> vec2f {
-    let word = textureLoad(cones, at, layer).r;
-    return robust_cone_of(vec2u(word & 0xffffu, word >> 16u));
+/// What is stored of a cell, or of a node: two words of cones, as `stride_quadrants_of` takes them, and two of heights.
+fn leap_texel(cells: texture_2d_array<u32>, field: ReliefField, at: vec2i) -> vec4u {
+    return textureLoad(cells, at, field.layer, 0i);
+}
+
+/// The four heights of a patch: at the corner, along x, along y, and both.
+fn leap_corners(words: vec2u) -> vec4f {
+    let low = words & vec2u(0xffffu);
+    let high = words >> vec2u(16u);
+    return vec4f(vec4u(low.x, high.x, low.y, high.y));
 }

@@ -32,8 +32,8 @@ enum Drawing {
     Wide(Strip),
     /// Square cones over all cells.
     Squares(Box<Squares>),
-    /// The same, those of all mips in one image, and those over coarse nodes.
-    Words(Box<(Squares, Coarse)>),
+    /// The same in one half of each texel of an image for all mips and coarse nodes, and patches in the other.
+    Cells(Box<(Squares, Coarse, Pass)>),
     /// Round cones over all texels.
     Rounds(Box<Rounds>),
 }
@@ -51,7 +51,7 @@ pub(super) struct Change<'t> {
 /// The pyramid that a texture is drawn from; `None` for one that is drawn from heights alone.
 pub(super) fn bound(texture: MapTexture) -> Option<Bound> {
     match texture {
-        MapTexture::Bounds(Bounds::CellMax | Bounds::Patches | Bounds::ConeWords | Bounds::Wide) => {
+        MapTexture::Bounds(Bounds::CellMax | Bounds::Patches | Bounds::Cells | Bounds::Wide) => {
             Some(Bound::CellMax)
         }
         MapTexture::Bounds(Bounds::TexelMax) => Some(Bound::TexelMax),
@@ -82,9 +82,15 @@ impl Image {
             (MapTexture::Bounds(Bounds::Cones(Cones::Robust)), _) => squares(Ways::All),
             (MapTexture::Bounds(Bounds::Cones(Cones::Quadrant(number))), _) => squares(Ways::Quadrant(number)),
             (MapTexture::Bounds(Bounds::Quadrants), _) => squares(Ways::Quadrants),
-            (MapTexture::Bounds(Bounds::ConeWords), _) => {
-                let squares = Squares::new(passes, format, (extent, border), Ways::Words);
-                Drawing::Words(Box::new((squares, Coarse::new(passes, format, (extent, border)))))
+            (MapTexture::Bounds(Bounds::Cells), _) => {
+                let part = |write_mask| wgpu::ColorTargetState { format, blend: None, write_mask };
+                let cones = part(wgpu::ColorWrites::RED | wgpu::ColorWrites::GREEN);
+                let patches = part(wgpu::ColorWrites::BLUE | wgpu::ColorWrites::ALPHA);
+                Drawing::Cells(Box::new((
+                    Squares::new(passes, cones.clone(), (extent, border), Ways::Quadrants),
+                    Coarse::new(passes, cones, (extent, border)),
+                    passes.pass("build_patches", patches, &[]),
+                )))
             }
             (_, Some(bound)) => Drawing::Quadtrees(bound, passes.pass("build_same", format, &[])),
             (_, None) => Drawing::Nothing,
@@ -112,9 +118,11 @@ impl Image {
                 let image = Level::whole(&self.texture, change.mip);
                 squares.update(encoder, (image, [0, 0]), change.mip, change.heights);
             }
-            Drawing::Words(words) => {
-                let (squares, coarse) = &**words;
-                squares.update(encoder, (image, extent.patches(change.mip)), change.mip, change.heights);
+            Drawing::Cells(cells) => {
+                let (squares, coarse, patches) = &**cells;
+                let corner = extent.patches(change.mip);
+                squares.update(encoder, (image, corner), change.mip, change.heights);
+                patches.draw_at(encoder, [change.heights, image], corner, &change.cells);
                 let levels = change.levels(Bound::CellMax);
                 if let (Some(corner), Some((nodes, _))) = (extent.coarse(change.mip), levels.get(COARSE as usize)) {
                     coarse.update(encoder, (image, corner), change.mip, *nodes);
@@ -139,8 +147,8 @@ fn format(texture: MapTexture) -> wgpu::TextureFormat {
     match texture {
         MapTexture::Patches | MapTexture::Bounds(Bounds::Quadrants) => wgpu::TextureFormat::Rg32Uint,
         MapTexture::Bounds(Bounds::Cones(_)) => wgpu::TextureFormat::Rg16Uint,
-        MapTexture::Bounds(Bounds::Patches | Bounds::ConeWords) => wgpu::TextureFormat::R32Uint,
-        MapTexture::Bounds(Bounds::Wide) => wgpu::TextureFormat::Rgba32Uint,
+        MapTexture::Bounds(Bounds::Patches) => wgpu::TextureFormat::R32Uint,
+        MapTexture::Bounds(Bounds::Wide | Bounds::Cells) => wgpu::TextureFormat::Rgba32Uint,
         _ => wgpu::TextureFormat::R16Uint,
     }
 }

@@ -33,7 +33,7 @@ struct DevicePart {
     behind: [u32; 2],
 }
 
-/// One of them, for targets of one format.
+/// One of them, for targets of one kind.
 #[derive(Debug)]
 pub(super) struct Pass {
     device: wgpu::Device,
@@ -58,15 +58,15 @@ impl<'a> Passes<'a> {
     }
 
     /// Compiles the pass of an entry point with its constants.
-    pub(super) fn pass(&self, entry: &str, format: wgpu::TextureFormat, constants: &[(&str, f64)]) -> Pass {
-        self.pass_beside(entry, format, constants, None)
+    pub(super) fn pass(&self, entry: &str, target: impl Into<wgpu::ColorTargetState>, constants: &[(&str, f64)]) -> Pass {
+        self.pass_beside(entry, target, constants, None)
     }
 
     /// One that reads other things beside its source.
     pub(super) fn pass_beside(
         &self,
         entry: &str,
-        format: wgpu::TextureFormat,
+        target: impl Into<wgpu::ColorTargetState>,
         constants: &[(&str, f64)],
         beside: Option<&wgpu::BindGroupLayout>,
     ) -> Pass {
@@ -93,7 +93,7 @@ impl<'a> Passes<'a> {
                 module: &self.module,
                 entry_point: Some(entry),
                 compilation_options: wgpu::PipelineCompilationOptions { constants, ..Default::default() },
-                targets: &[Some(format.into())],
+                targets: &[Some(target.into())],
             }),
             multiview_mask: None,
             cache: None,

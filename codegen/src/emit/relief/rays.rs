@@ -55,8 +55,8 @@ impl Writer<'_> {
     /// The first hit of one layer, on the mip that fits the pixel or between two.
     fn search(&mut self) {
         let method = self.relief.method;
-        let reads = method.reads();
-        let maps = reads.iter().map(|texture| format!(", {}: {}", texture.name(), texture.wgsl()));
+        let maps = self.relief.searched();
+        let maps = maps.iter().map(|texture| format!(", {}: {}", texture.name(), texture.wgsl()));
         let maps: String = maps.collect();
         self.shader.line("");
         self.shader.line("/// The first hit of one layer, on the mip that fits the pixel or between two.");
@@ -76,8 +76,9 @@ impl Writer<'_> {
             Bounds::Wide => "let field = displaced_field_wide(layer, mip, terrane_wide_corner(layer.size, mip));",
             _ => "let field = displaced_field(layer, mip);",
         });
-        let bounds = reads.get(1).map_or("", |bounds| bounds.name());
-        let found = method.call(reads[0].name(), bounds, "field", "search.ray");
+        let bounds = method.bounds();
+        let surface = bounds.surface().map_or("", MapTexture::name);
+        let found = method.call(surface, MapTexture::Bounds(bounds).name(), "field", "search.ray");
         self.shader.line(&format!("let found = displaced_found(search, {found});"));
         self.shader.line("hit = displaced_between(hit, found, displaced_part(layer, coarser));");
         self.shader.close();
@@ -139,7 +140,7 @@ impl Writer<'_> {
             head: "fn terrane_displace(ray: DisplacedRay, RELIEF) -> DisplacedHit",
             begin: "var hit = displaced_plane(ray, relief.bottom);",
             each: "hit = displaced_nearer(hit, terrane_search(LAYER, ray, MAPS));",
-            maps: &self.relief.method.reads(),
+            maps: &self.relief.searched(),
             end: "return hit;",
         });
     }

@@ -1,7 +1,7 @@
 //! Cones over coarse nodes of a map and its mips.
 //!
 //! ```text
-//! a level of the quadtree --Corners--> the coarse map --Squares--> cones in words
+//! a level of the quadtree --Corners--> the coarse map --Squares--> cones
 //! ```
 
 use terrane_shaderlib::heightfield::Border;
@@ -25,7 +25,7 @@ impl Coarse {
     /// Those of a map.
     pub(in crate::relief::build) fn new(
         passes: &Passes<'_>,
-        format: wgpu::TextureFormat,
+        target: impl Into<wgpu::ColorTargetState>,
         (extent, border): (&Extent, Border),
     ) -> Self {
         let wraps = border == Border::Wrap;
@@ -38,7 +38,7 @@ impl Coarse {
         Self {
             device: passes.gpu.device.clone(),
             corners: passes.pass("build_corners", CORNERS, &constants),
-            squares: Squares::over(passes, format, (corners, border), Ways::Words),
+            squares: Squares::over(passes, target, (corners, border), Ways::Quadrants),
             sizes,
         }
     }

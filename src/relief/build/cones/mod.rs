@@ -42,8 +42,6 @@ pub(super) struct Squares {
 pub(super) enum Ways {
     /// The steepest.
     All,
-    /// The same, tip and code in a word.
-    Words,
     /// Those toward the four quadrants.
     Quadrants,
     /// The one toward a quadrant, by its number.
@@ -54,17 +52,17 @@ impl Squares {
     /// Those of a map.
     pub(super) fn new(
         passes: &Passes<'_>,
-        format: wgpu::TextureFormat,
+        target: impl Into<wgpu::ColorTargetState>,
         (extent, border): (&Extent, Border),
         ways: Ways,
     ) -> Self {
-        Self::over(passes, format, (sizes(extent, border), border), ways)
+        Self::over(passes, target, (sizes(extent, border), border), ways)
     }
 
     /// Those of texels in so many columns and rows, mip by mip.
     pub(super) fn over(
         passes: &Passes<'_>,
-        format: wgpu::TextureFormat,
+        target: impl Into<wgpu::ColorTargetState>,
         (sizes, border): (Vec<[u32; 2]>, Border),
         ways: Ways,
     ) -> Self {
@@ -74,7 +72,6 @@ impl Squares {
         let zero = f64::from(SLOPE.value(0).to_bits());
         let (entry, way) = match ways {
             Ways::All => ("build_cone", 0),
-            Ways::Words => ("build_cone_word", 0),
             Ways::Quadrant(number) => ("build_cone", number % 4),
             Ways::Quadrants => ("build_quadrants", 0),
         };
@@ -85,7 +82,7 @@ impl Squares {
             tips: Quadtrees::new(passes, wgpu::TextureFormat::R16Uint, Bound::CellMax, trees),
             sizes,
             tables: Tables::new(passes, wraps),
-            codes: passes.pass_beside(entry, format, &steeper, Some(&layout)),
+            codes: passes.pass_beside(entry, target, &steeper, Some(&layout)),
             slopes: Slopes::new(passes, layout, ways),
         }
     }

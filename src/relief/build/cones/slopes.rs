@@ -20,7 +20,7 @@ pub(super) struct Slopes {
 impl Slopes {
     pub(super) fn new(passes: &Passes<'_>, beside: wgpu::BindGroupLayout, ways: Ways) -> Self {
         let format = match ways {
-            Ways::All | Ways::Words => wgpu::TextureFormat::R32Float,
+            Ways::All => wgpu::TextureFormat::R32Float,
             Ways::Quadrants | Ways::Quadrant(_) => wgpu::TextureFormat::Rgba32Float,
         };
         let constants =

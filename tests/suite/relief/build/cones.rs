@@ -13,7 +13,7 @@ use crate::relief::device;
 
 const SQUARE: [MapTexture; 4] = [
     MapTexture::Bounds(Bounds::Cones(Cones::Robust)),
-    MapTexture::Bounds(Bounds::ConeWords),
+    MapTexture::Bounds(Bounds::Cells),
     MapTexture::Bounds(Bounds::Quadrants),
     MapTexture::Bounds(Bounds::Cones(Cones::Quadrant(2))),
 ];
