@@ -35,7 +35,7 @@ pub(crate) struct Build {
 /// A platform by its name.
 #[derive(Clone, Copy, Debug, clap::ValueEnum)]
 enum On {
-    /// A graphics processor: `stride`, over cones
+    /// A graphics processor: `leap`, over cones
     Gpu,
     /// A processor that draws by itself, as llvmpipe does: `walk`, over a quadtree
     Cpu,

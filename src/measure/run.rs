@@ -113,8 +113,8 @@ fn rounds(
     let mut traced = Vec::new();
     let Some(sent) = tracers.first().map(|tracer| tracer.send(rays)).transpose()? else { return Ok((times, traced)) };
     for tracer in tracers {
+        traced.push(tracer.find(&sent)?);
         tracer.time(&sent)?;
-        traced.push(tracer.read(&sent)?);
     }
     phase.advance(1);
     for _ in 1..traces {

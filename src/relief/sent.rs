@@ -23,6 +23,8 @@ pub(super) struct Part {
     pub(super) count: usize,
     pub(super) rays: wgpu::TextureView,
     pub(super) hits: wgpu::Buffer,
+    /// t of each, where nothing else is asked for.
+    pub(super) ends: wgpu::Buffer,
 }
 
 /// Rows of rays that are sent at once: what WebGPU promises for a texture.
@@ -67,13 +69,17 @@ impl Part {
     }
 
     fn new(gpu: &Gpu, rays: &[DeviceRay]) -> Result<Self, RenderError> {
-        let size = (rays.len() * size_of::<DeviceHit>()) as u64;
         let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
-        let hits = wgpu::BufferDescriptor { label: Some("hits"), size, usage, mapped_at_creation: false };
+        let buffer = |size: usize| {
+            let size = (rays.len() * size) as u64;
+            let descriptor = wgpu::BufferDescriptor { label: Some("hits"), size, usage, mapped_at_creation: false };
+            gpu.device.create_buffer(&descriptor)
+        };
         gpu.checked("rays", || Self {
             count: rays.len(),
             rays: texture::rays(gpu, rays),
-            hits: gpu.device.create_buffer(&hits),
+            hits: buffer(size_of::<DeviceHit>()),
+            ends: buffer(size_of::<f32>()),
         })
     }
 

@@ -14,16 +14,14 @@ pub struct Segment {
     pub range: (f64, f64),
 }
 
-/// `ReliefRay` of shaderlib/wgsl/relief/relief.wgsl in a storage buffer.
+/// `ReliefRay` of shaderlib/wgsl/relief/relief.wgsl in two texels of four words.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq, Pod, Zeroable)]
 pub struct DeviceRay {
-    /// The cell that it starts in, in the first tile of a map that wraps.
-    pub cell: [i32; 2],
-    unused: [i32; 2],
-    /// Where in that cell, 0..1; z in steps.
+    /// Where in its first cell it starts, 0..1; z in steps.
     pub origin: [f32; 3],
-    unused_too: f32,
+    /// That cell, in the first tile of a map that wraps: the column, and above it the row.
+    pub cell: [u16; 2],
     /// How far 1 of t leads.
     pub direction: [f32; 3],
     /// The ray is looked at for t in 0..end.
@@ -134,11 +132,11 @@ impl Setup {
         let places = [0, 1].map(|axis| Place::new(heights, ray, axis, first));
         let end = (last - first) / scale;
         let device = DeviceRay {
-            cell: places.map(|place| place.cell),
+            // No map is longer than u16 counts.
+            cell: places.map(|place| place.cell as u16),
             origin: [places[0].inside as f32, places[1].inside as f32, ray.at(first)[2] as f32],
             direction: ray.direction.map(|along| (along * scale) as f32),
             end: end.clamp(0.0, LONGEST) as f32,
-            ..DeviceRay::default()
         };
         Self { ray: device, start: first, scale, is_cut: end > LONGEST, corner: places.map(|place| place.corner) }
     }

@@ -10,7 +10,7 @@ use wgpu::util::{BufferInitDescriptor, DeviceExt as _};
 use super::clock::{Clock, Timing};
 use super::sent::{Part, Sent};
 use super::setup::{DeviceRay, Segment};
-use super::shader::{pipeline, shader, tiled_shader};
+use super::shader::{Pipelines, shader, tiled_shader};
 use super::texture::textures;
 use crate::render::{Gpu, RenderError};
 
@@ -47,7 +47,7 @@ pub struct Tracer<'a> {
     timing: Timing,
     method: Method,
     tiled: bool,
-    pipeline: wgpu::ComputePipeline,
+    pipelines: Pipelines,
     textures: [wgpu::TextureView; 2],
     field: wgpu::Buffer,
 }
@@ -85,8 +85,8 @@ impl<'a> Tracer<'a> {
         method: Method,
         text: &str,
     ) -> Result<Self, RenderError> {
-        let pipeline = gpu.checked("relief's pipeline", || pipeline(gpu, method, text))?;
-        Self::with(gpu, heights, placed, method, pipeline)
+        let pipelines = compiled(gpu, method, text)?;
+        Self::with(gpu, heights, placed, method, pipelines)
     }
 
     /// The same method over another map, which need not be compiled again unless it differs in whether it is traced tile by
@@ -101,7 +101,7 @@ impl<'a> Tracer<'a> {
         if self.tiled != placed.tiled {
             return Tracer::new(self.gpu, heights, placed, self.method);
         }
-        Tracer::with(self.gpu, heights, placed, self.method, self.pipeline.clone())
+        Tracer::with(self.gpu, heights, placed, self.method, self.pipelines.clone())
     }
 
     fn with(
@@ -109,7 +109,7 @@ impl<'a> Tracer<'a> {
         heights: &'a Heights,
         placed: &Placed,
         method: Method,
-        pipeline: wgpu::ComputePipeline,
+        pipelines: Pipelines,
     ) -> Result<Self, RenderError> {
         gpu.checked("relief's data", || Self {
             gpu,
@@ -118,7 +118,7 @@ impl<'a> Tracer<'a> {
             timing: Timing::of(gpu),
             method,
             tiled: placed.tiled,
-            pipeline,
+            pipelines,
             textures: [textures(gpu, &[&placed.heights]), textures(gpu, &[&placed.bounds])],
             field: gpu.device.create_buffer_init(&BufferInitDescriptor {
                 label: Some("relief's field"),
@@ -133,9 +133,8 @@ impl<'a> Tracer<'a> {
     /// # Errors
     /// [`RenderError::Refused`] where the device does not take the method.
     pub fn sharing(&self, method: Method) -> Result<Self, RenderError> {
-        let text = text(method, self.tiled);
-        let pipeline = self.gpu.checked("relief's pipeline", || pipeline(self.gpu, method, &text))?;
-        Ok(Self { method, pipeline, textures: self.textures.clone(), field: self.field.clone(), ..*self })
+        let pipelines = compiled(self.gpu, method, &text(method, self.tiled))?;
+        Ok(Self { method, pipelines, textures: self.textures.clone(), field: self.field.clone(), ..*self })
     }
 
     /// The same with its time taken otherwise; [`Timing::Device`] needs [`Gpu::has_timestamps`].
@@ -152,37 +151,41 @@ impl<'a> Tracer<'a> {
         Sent::new(self.gpu, self.heights, self.range, segments)
     }
 
-    /// Traces what was sent, and says how long the device took, all cores together where it is a CPU.
+    /// How long the device takes to load each ray that was sent, trace it and write t alone, all cores together where it is a CPU.
     ///
     /// # Errors
     /// [`RenderError::Lost`] where the device fails.
     pub fn time(&self, sent: &Sent) -> Result<Duration, RenderError> {
-        sent.parts.iter().map(|part| self.time_part(part)).sum()
+        sent.parts.iter().map(|part| self.time_part(part, self.pipelines.timed())).sum()
     }
 
-    /// What was found of what was sent, by the method that traced it last.
+    /// What it finds of what was sent.
     ///
     /// # Errors
     /// [`RenderError::Lost`] where the device fails.
-    pub fn read(&self, sent: &Sent) -> Result<Vec<Traced>, RenderError> {
+    pub fn find(&self, sent: &Sent) -> Result<Vec<Traced>, RenderError> {
+        for part in &sent.parts {
+            self.time_passes(part, self.pipelines.answers(), &self.bind(part), 1)?;
+        }
         sent.read(self.gpu)
     }
 
-    /// Sends rays, traces them and reads what was found.
+    /// Sends rays, traces them and reads what was found, with the time that it takes to write that.
     ///
     /// # Errors
     /// Those of [`Self::send`] and [`Self::time`].
     pub fn trace(&self, segments: &[Segment]) -> Result<(Vec<Traced>, Duration), RenderError> {
         let sent = self.send(segments)?;
-        let time = self.time(&sent)?;
-        Ok((self.read(&sent)?, time))
+        let times = sent.parts.iter().map(|part| self.time_part(part, self.pipelines.answers()));
+        let time = times.sum::<Result<_, _>>()?;
+        Ok((sent.read(self.gpu)?, time))
     }
 
     /// One answer for each ray.
     pub(super) fn run(&self, rays: &[DeviceRay]) -> Result<(Vec<DeviceHit>, Duration), RenderError> {
         let (mut hits, mut time) = (Vec::new(), Duration::ZERO);
         for part in Part::all(self.gpu, rays)? {
-            time += self.time_part(&part)?;
+            time += self.time_part(&part, self.pipelines.answers())?;
             hits.extend(part.read(self.gpu)?);
         }
         Ok((hits, time))
@@ -190,11 +193,11 @@ impl<'a> Tracer<'a> {
 
     /// A GPU that waited has slowed down, and its clock is coarse: it traces more and more often, until that takes long enough
     /// to be believed.
-    fn time_part(&self, part: &Part) -> Result<Duration, RenderError> {
-        let group = self.bind(&part.rays, &part.hits);
+    fn time_part(&self, part: &Part, pipeline: &wgpu::ComputePipeline) -> Result<Duration, RenderError> {
+        let group = self.bind(part);
         let mut times = 1;
         loop {
-            let took = self.time_passes(part, &group, times)?;
+            let took = self.time_passes(part, pipeline, &group, times)?;
             if self.timing != Timing::Device || took >= LONG_ENOUGH || times == MOST {
                 return Ok(took / times);
             }
@@ -203,30 +206,45 @@ impl<'a> Tracer<'a> {
         }
     }
 
-    fn time_passes(&self, part: &Part, group: &wgpu::BindGroup, times: u32) -> Result<Duration, RenderError> {
+    fn time_passes(
+        &self,
+        part: &Part,
+        pipeline: &wgpu::ComputePipeline,
+        group: &wgpu::BindGroup,
+        times: u32,
+    ) -> Result<Duration, RenderError> {
         self.gpu.wait()?;
         let clock = Clock::start(self.gpu, self.timing);
         let mut encoder = self.gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        part.record(&mut encoder, (&self.pipeline, group), &clock, times);
+        part.record(&mut encoder, (pipeline, group), &clock, times);
         clock.resolve(&mut encoder);
         self.gpu.queue.submit([encoder.finish()]);
         self.gpu.wait()?;
         clock.elapsed(self.gpu)
     }
 
-    fn bind(&self, rays: &wgpu::TextureView, hits: &wgpu::Buffer) -> wgpu::BindGroup {
+    fn bind(&self, Part { rays, hits, ends, .. }: &Part) -> wgpu::BindGroup {
         let [heights, bounds] = self.textures.each_ref().map(wgpu::BindingResource::TextureView);
         let rays = wgpu::BindingResource::TextureView(rays);
-        let resources = [self.field.as_entire_binding(), rays, hits.as_entire_binding(), heights, bounds];
+        let [field, hits, ends] = [&self.field, hits, ends].map(wgpu::Buffer::as_entire_binding);
+        let resources = [field, rays, hits, heights, bounds, ends];
         let resources = resources.into_iter().enumerate();
         let entries: Vec<_> =
             resources.map(|(binding, resource)| wgpu::BindGroupEntry { binding: binding as u32, resource }).collect();
         self.gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("relief"),
-            layout: &self.pipeline.get_bind_group_layout(0),
+            layout: &self.pipelines.group,
             entries: &entries,
         })
     }
+}
+
+fn compiled(gpu: &Gpu, method: Method, text: &str) -> Result<Pipelines, RenderError> {
+    gpu.checked("relief's pipeline", || {
+        let pipelines = Pipelines::new(gpu, method, text);
+        pipelines.answers();
+        pipelines
+    })
 }
 
 /// A method's shader, over a map that is traced whole or tile by tile.

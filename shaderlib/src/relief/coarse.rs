@@ -99,7 +99,8 @@ mod tests {
                     let words = image.texel(0, [0, 1].map(|axis| corner[axis] + node[axis])).unwrap();
                     let across = [0, 1].map(|axis| [node[axis] << COARSE, (node[axis] + 1) << COARSE]);
                     for (quadrant, [x, y]) in (0..4).flat_map(|quadrant| texels(size).map(move |at| (quadrant, at))) {
-                        let along = |axis: usize, at| away(at, across[axis], size[axis], border, quadrant >> axis & 1 > 0);
+                        let along =
+                            |axis: usize, at| away(at, across[axis], size[axis], border, quadrant >> axis & 1 > 0);
                         let (Some(east), Some(north)) = (along(0, x), along(1, y)) else { continue };
                         let (tip, slope) = toward(words, quadrant);
                         let free = tip + slope * f64::from(east.max(north)) / f64::from(1 << COARSE);

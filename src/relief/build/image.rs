@@ -51,9 +51,7 @@ pub(super) struct Change<'t> {
 /// The pyramid that a texture is drawn from; `None` for one that is drawn from heights alone.
 pub(super) fn bound(texture: MapTexture) -> Option<Bound> {
     match texture {
-        MapTexture::Bounds(Bounds::CellMax | Bounds::Patches | Bounds::Cells | Bounds::Wide) => {
-            Some(Bound::CellMax)
-        }
+        MapTexture::Bounds(Bounds::CellMax | Bounds::Patches | Bounds::Cells | Bounds::Wide) => Some(Bound::CellMax),
         MapTexture::Bounds(Bounds::TexelMax) => Some(Bound::TexelMax),
         _ => None,
     }

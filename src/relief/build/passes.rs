@@ -58,7 +58,12 @@ impl<'a> Passes<'a> {
     }
 
     /// Compiles the pass of an entry point with its constants.
-    pub(super) fn pass(&self, entry: &str, target: impl Into<wgpu::ColorTargetState>, constants: &[(&str, f64)]) -> Pass {
+    pub(super) fn pass(
+        &self,
+        entry: &str,
+        target: impl Into<wgpu::ColorTargetState>,
+        constants: &[(&str, f64)],
+    ) -> Pass {
         self.pass_beside(entry, target, constants, None)
     }
 

@@ -103,7 +103,7 @@ fn auto_is_the_fastest_exact_method_of_the_platform_and_binds_what_it_reads() {
     let mut project = Project::open(Path::new(env!("CARGO_MANIFEST_DIR"))).expect("the project of this repository");
     let (graphs, terrain, _) = project.terrain("graphs/terrains/yard.ron").expect("a terrain with relief");
     let host = hosts::terrain();
-    for (platform, method, bounds) in [(Platform::Gpu, "stride", "_cones"), (Platform::Cpu, "walk", "_bounds")] {
+    for (platform, method, bounds) in [(Platform::Gpu, "leap", "_cells"), (Platform::Cpu, "walk", "_bounds")] {
         let options = Options { platform, ..Options::default() };
         let compiled = Compiler { options, ..compiler(&project, &host) }.terrain(&graphs, &terrain);
         let manifest = compiled.unwrap_or_else(|found| fail(&found, &project.sources)).manifest;

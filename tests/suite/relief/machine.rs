@@ -95,7 +95,7 @@ fn field<D: Domain>(field: &Field) -> Value<D> {
 /// `ReliefRay`.
 fn rays_of<D: Domain>(setups: &[Setup]) -> Value<D> {
     Value::join([
-        Value::integers(&setups.iter().map(|setup| setup.ray.cell).collect::<Vec<_>>()),
+        Value::integers(&setups.iter().map(|setup| setup.ray.cell.map(i32::from)).collect::<Vec<_>>()),
         Value::vector(&setups.iter().map(|setup| setup.ray.origin).collect::<Vec<_>>()),
         Value::vector(&setups.iter().map(|setup| setup.ray.direction).collect::<Vec<_>>()),
         Value::f32(&setups.iter().map(|setup| setup.ray.end).collect::<Vec<_>>()),
