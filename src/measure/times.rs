@@ -28,10 +28,10 @@ impl Times {
         methods.iter().position(|one| *one == base).map_or(f64::NAN, |base| self.over(method, base))
     }
 
-    /// A method over the exact one that takes the least time.
+    /// A method over the exact one that takes the least time of the first method's: a device's clock may not be the same all along.
     pub(super) fn over_exact(&self, method: usize, methods: &[Method]) -> f64 {
         let exact = (0..methods.len()).filter(|index| methods[*index].is_exact());
-        let best = exact.min_by(|a, b| self.median(*a).total_cmp(&self.median(*b)));
+        let best = exact.min_by(|a, b| self.over(*a, 0).total_cmp(&self.over(*b, 0)));
         best.map_or(f64::NAN, |best| self.over(method, best))
     }
 

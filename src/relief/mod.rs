@@ -3,7 +3,7 @@
 //! ```text
 //! Heights --Placed--> textures      the map and its bounds: `terrane_shaderlib::relief`
 //! Segment --Setup---> DeviceRay     cut to where the ground can be, in f32 from a whole cell
-//! Method  --Tracer--> Traced        WGSL of the library around one entry point
+//! Method  --Tracer--> Traced        WGSL of the library around two entry points
 //! Heights --Built---> textures      the same as `planes`, made on the device; `BuiltPyramid` is the same as `Pyramid`
 //! points  --Lighter--> Seen         the same for shadow and occlusion
 //! ```

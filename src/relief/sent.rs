@@ -1,5 +1,6 @@
 //! Rays on a device, and the room for their answers.
 
+use bytemuck::AnyBitPattern;
 use rayon::prelude::*;
 use terrane_shaderlib::heightfield::Heights;
 
@@ -72,7 +73,7 @@ impl Part {
         let usage = wgpu::BufferUsages::STORAGE | wgpu::BufferUsages::COPY_SRC;
         let buffer = |size: usize| {
             let size = (rays.len() * size) as u64;
-            let descriptor = wgpu::BufferDescriptor { label: Some("hits"), size, usage, mapped_at_creation: false };
+            let descriptor = wgpu::BufferDescriptor { label: Some("answers"), size, usage, mapped_at_creation: false };
             gpu.device.create_buffer(&descriptor)
         };
         gpu.checked("rays", || Self {
@@ -103,15 +104,19 @@ impl Part {
 
     /// One answer for each ray.
     pub(super) fn read(&self, gpu: &Gpu) -> Result<Vec<DeviceHit>, RenderError> {
-        let usage = wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ;
-        let size = self.hits.size();
-        let read = wgpu::BufferDescriptor { label: Some("hits"), size, usage, mapped_at_creation: false };
-        let read = gpu.device.create_buffer(&read);
-        let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
-        encoder.copy_buffer_to_buffer(&self.hits, 0, &read, 0, size);
-        gpu.queue.submit([encoder.finish()]);
-        Ok(gpu.read(&read)?.chunks_exact(size_of::<DeviceHit>()).map(bytemuck::pod_read_unaligned).collect())
+        copied(gpu, &self.hits)
     }
+}
+
+/// What a buffer holds.
+fn copied<T: AnyBitPattern>(gpu: &Gpu, from: &wgpu::Buffer) -> Result<Vec<T>, RenderError> {
+    let (size, usage) = (from.size(), wgpu::BufferUsages::COPY_DST | wgpu::BufferUsages::MAP_READ);
+    let read = wgpu::BufferDescriptor { label: Some("answers"), size, usage, mapped_at_creation: false };
+    let read = gpu.device.create_buffer(&read);
+    let mut encoder = gpu.device.create_command_encoder(&wgpu::CommandEncoderDescriptor::default());
+    encoder.copy_buffer_to_buffer(from, 0, &read, 0, size);
+    gpu.queue.submit([encoder.finish()]);
+    Ok(gpu.read(&read)?.chunks_exact(size_of::<T>()).map(bytemuck::pod_read_unaligned).collect())
 }
 
 fn traced(setup: &Setup, hit: &DeviceHit) -> Traced {
@@ -123,4 +128,36 @@ fn traced(setup: &Setup, hit: &DeviceHit) -> Traced {
     };
     let cell = if hit.state == 1 { setup.cell(hit.cell) } else { [0; 2] };
     Traced { outcome, cell, steps: hit.steps, leaves: hit.leaves }
+}
+
+#[cfg(test)]
+mod tests {
+    use terrane_shaderlib::heightfield::adversary::{Depth, Land, map};
+    use terrane_shaderlib::heightfield::{Border, Ray};
+    use terrane_shaderlib::relief::{Method, Placed};
+
+    use super::*;
+    use crate::relief::{Segment, Tracer};
+    use crate::render::Selection;
+
+    #[test]
+    fn what_is_timed_is_the_search_that_answers() {
+        let Ok(gpu) = Gpu::new(&Selection::Best) else { return println!("skipped: no device") };
+        let heights = map(Land::Hills, [64, 64], Border::Wrap, Depth::Sixteen, 3).expect("a map");
+        let rays = (0..200).map(|index| {
+            let ray = Ray { origin: [0.3 * f64::from(index), 7.1, 65_535.0], direction: [1.0, 0.4, -3000.0] };
+            Segment { ray, range: (0.0, 30.0) }
+        });
+        for method in [Method::MaximumMipmaps, Method::Leap] {
+            let placed = Placed::new(&heights, method.bounds(), 1 << 16).expect("whole steps");
+            let tracer = Tracer::new(&gpu, &heights, &placed, method).expect("the device takes it");
+            let sent = tracer.send(&rays.clone().collect::<Vec<_>>()).expect("the device takes them");
+            tracer.find(&sent).expect("the device answers");
+            tracer.time(&sent).expect("the device answers");
+            let part = &sent.parts[0];
+            let (hits, ends) = (part.read(&gpu).unwrap(), copied::<f32>(&gpu, &part.ends).unwrap());
+            let near = hits.iter().zip(&ends).filter(|(hit, end)| hit.state == 1 && (hit.t - **end).abs() < 1e-3);
+            assert_eq!(near.count(), 200, "{method}");
+        }
+    }
 }

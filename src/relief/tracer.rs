@@ -77,7 +77,7 @@ impl<'a> Tracer<'a> {
         Self::compiled(gpu, heights, placed, method, &text(method, placed.tiled))
     }
 
-    /// The same for any text with the entry point and the bindings of a method's, over that method's bounds.
+    /// The same for any text with the entry points and the bindings of a method's, over that method's bounds.
     pub(super) fn compiled(
         gpu: &'a Gpu,
         heights: &'a Heights,

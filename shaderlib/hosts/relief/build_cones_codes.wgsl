@@ -21,14 +21,10 @@ fn build_cell(position: vec4f) -> vec2i {
 }
 
 /// The height of a cone's tip, and its code.
-fn build_tip_and_code(at: vec2i) -> vec2u {
-    return vec2u(build_texel(at), build_code(textureLoad(build_slopes, at, 0i)[build_way]));
-}
-
-/// Both of each cone.
 @fragment
 fn build_cone(@builtin(position) position: vec4f) -> @location(0) vec2u {
-    return build_tip_and_code(build_cell(position));
+    let at = build_cell(position);
+    return vec2u(build_texel(at), build_code(textureLoad(build_slopes, at, 0i)[build_way]));
 }
 
 /// The codes of the four quadrants, rounded up to twelve bits each, and above them the halves of the tip's height.

@@ -12,8 +12,9 @@ use crate::heightfield::{Border, Heights, Texels};
 /// log2 of the cells along a node.
 pub const COARSE: u32 = 3;
 
-/// Texels along the shorter side of a mip from which on searches begin over nodes: below it caches hold enough of the cells' cones,
-/// and a search that begins over cells takes a tenth less time on smooth ground (docs/relief/notebook.md).
+/// Texels along the shorter side of a mip from which on searches begin over nodes: below it caches held enough of
+/// the cells' cones, and a search that begins over cells took a tenth less time on smooth ground (docs/relief/notebook.md; when a cone was
+/// a word).
 pub const LARGE: u32 = 4096;
 
 /// Columns and rows of nodes over a mip.
@@ -21,7 +22,7 @@ pub(super) fn nodes(mip: [u32; 2]) -> [u32; 2] {
     mip.map(|side| side >> COARSE)
 }
 
-/// Where the first node over a mip of a map stands in the image of all cones, if the mip has a whole one: under the mip that is as
+/// Where the first node over a mip of a map stands in the image of all cells, if the mip has a whole one: under the mip that is as
 /// large.
 pub(super) fn corner(map: [u32; 2], mip: u32) -> Option<[u32; 2]> {
     let [left, top] = patches::corner(map, mip + COARSE);
@@ -35,7 +36,7 @@ pub(super) fn begin(map: [u32; 2], mip: u32, from: u32) -> [i32; 2] {
     corner.map_or([-1; 2], |corner| corner.map(|at| at as i32))
 }
 
-/// Columns and rows of the image of the cones over a map: those over nodes stand where patches have nothing.
+/// Columns and rows of the image of the cells over a map: nodes stand where no mip's cells do.
 pub(super) fn size(map: [u32; 2], has_mips: bool) -> [u32; 2] {
     patches::size(map, has_mips || corner(map, 0).is_some())
 }

@@ -2,6 +2,7 @@
 
 use rayon::prelude::*;
 
+use super::dirty::Extent;
 use super::mips::Mip;
 use super::plane::{Plane, Words};
 use super::{coarse, patches};
@@ -13,12 +14,8 @@ type Progress<'a> = &'a (dyn Fn(u64, u64) + Sync);
 
 /// The cones of a map and of its coarser mips. A texel holds the height of a cone's tip and the code of [`ConeMap`].
 pub(super) fn plane(heights: &Heights, mips: &[Mip], cones: Cones, progress: Progress<'_>) -> Plane {
-    Plane { size: mips[0].size, words: Words::Rg16(images(heights, mips, cones, progress)) }
-}
-
-/// The tips and codes of each mip.
-fn images(heights: &Heights, mips: &[Mip], cones: Cones, progress: Progress<'_>) -> Vec<Vec<[u16; 2]>> {
-    mips.iter().map(|mip| image(&own(heights, mip), mip.size, cones, progress)).collect()
+    let images = mips.iter().map(|mip| image(&own(heights, mip), mip.size, cones, progress));
+    Plane { size: mips[0].size, words: Words::Rg16(images.collect()) }
 }
 
 /// The texels of a mip that cones stand on. A map that wraps is filled already; one that does not has one mip, and of that those
@@ -67,7 +64,7 @@ pub(super) fn cells(heights: &Heights, mips: &[Mip], progress: Progress<'_>) -> 
     }
     for (index, mip) in (0..).zip(mips) {
         let patch = |cell: &mut [u32; 4], patch: [u32; 2]| cell[2..].copy_from_slice(&patch);
-        patches::write(&mut image, size[0], patches::corner(map, index), mip, patch);
+        patches::write(&mut image, size[0], patches::corner(map, index), (mip, Extent::new(heights).wraps), patch);
     }
     Plane { size, words: Words::Rgba32(image) }
 }

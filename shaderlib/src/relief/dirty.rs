@@ -17,6 +17,8 @@ pub struct Extent {
     pub last: [u32; 2],
     /// Columns and rows of the first mip.
     pub filled: [u32; 2],
+    /// Whether it wraps as it is placed: one that is traced tile by tile ends there.
+    pub wraps: bool,
     /// Mips of the heights.
     pub mips: u32,
 }
@@ -30,15 +32,16 @@ impl Extent {
         let tiled = wraps && !size.iter().all(|side| side.is_power_of_two());
         let last = size.map(|side| if tiled { side } else { side - 1 });
         let filled = last.map(|last| (last + 1).next_power_of_two());
-        let mips = if wraps && !tiled { filled[0].min(filled[1]).ilog2() + 1 } else { 1 };
-        Self { size, last, filled, mips }
+        let wraps = wraps && !tiled;
+        let mips = if wraps { filled[0].min(filled[1]).ilog2() + 1 } else { 1 };
+        Self { size, last, filled, wraps, mips }
     }
 
     /// Of any map that tiles and whose sides are powers of two.
     #[must_use]
     pub fn tiling(map: [u32; 2]) -> Self {
         let mips = map[0].min(map[1]).max(1).ilog2() + 1;
-        Self { size: map, last: map.map(|side| side.saturating_sub(1)), filled: map, mips }
+        Self { size: map, last: map.map(|side| side.saturating_sub(1)), filled: map, wraps: true, mips }
     }
 
     /// Whether rays are cut at the borders of tiles.
@@ -88,13 +91,13 @@ impl Extent {
         atlas::place(atlas::corner(self.filled, mip), level as usize)
     }
 
-    /// Where the first patch of a mip stands in the image of all patches.
+    /// Where the first patch of a mip stands in an image of patches or of cells.
     #[must_use]
     pub fn patches(&self, mip: u32) -> [u32; 2] {
         patches::corner(self.filled, mip)
     }
 
-    /// Where the first coarse node of a mip stands in the image of cones, if the mip has a whole one.
+    /// Where the first coarse node of a mip stands in an image of cells, if the mip has a whole one.
     #[must_use]
     pub fn coarse(&self, mip: u32) -> Option<[u32; 2]> {
         coarse::corner(self.filled, mip)

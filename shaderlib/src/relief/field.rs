@@ -18,11 +18,11 @@ pub struct Field {
     pub mip: i32,
     /// The layer of the textures.
     pub layer: i32,
-    /// Where the first patch of the mip stands in an image of patches.
+    /// Where the first patch of the mip stands in an image of patches or of cells.
     pub patches: [i32; 2],
     /// log2 of the steps of height to a step of a wide node's base.
     pub unit: i32,
-    /// Where the first coarse node of the mip stands in an image of cones; −1 where a search does not begin there.
+    /// Where the first coarse node of the mip stands in an image of cells; −1 where a search does not begin there.
     pub coarse: [i32; 2],
 }
 

@@ -34,7 +34,7 @@ pub enum Method {
     QuadtreeReliefExact,
     /// `shaderlib/wgsl/relief/robust_cone.wgsl`.
     RobustCone,
-    /// `shaderlib/wgsl/relief/leap.wgsl`: that over cones of a quadrant, with one load to a cell.
+    /// `shaderlib/wgsl/relief/leap.wgsl`: `StrideQuadrants` with one load to a cell.
     Leap,
     /// `shaderlib/wgsl/relief/stride.wgsl`: `RobustCone` in one loop, for GPUs.
     Stride,
@@ -58,7 +58,7 @@ pub enum Platform {
 }
 
 impl Method {
-    /// The exact one that draws scenes fastest, by docs/relief/notebook.md. On a CPU `Sprint` and `Leap` find hits sooner than the
+    /// The exact one that finds hits fastest on a GPU, by docs/relief/notebook.md. On a CPU `Sprint` and `Leap` find hits sooner than the
     /// walk, but need textures of their own beside the quadtree that light reads, and a scene takes as long.
     #[must_use]
     pub fn fastest(platform: Platform) -> Self {

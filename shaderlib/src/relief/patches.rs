@@ -15,19 +15,20 @@ pub(super) fn size([width, height]: [u32; 2], has_mips: bool) -> [u32; 2] {
     [width, if has_mips { height + height / 2 } else { height }]
 }
 
-/// Writes the patches of a mip that wraps: its texels to the corner, along x in the high half, the row behind in the second word.
-/// `set` puts one into a texel of the image.
+/// Writes the patches of a mip: its texels to the corner, along x in the high half, the row behind in the second word. Behind the
+/// last texel is the first again where the mip wraps, else the last once more. `set` puts one into a texel of the image.
 pub(super) fn write<T>(
     image: &mut [T],
     columns: u32,
     [left, top]: [u32; 2],
-    mip: &Mip,
+    (mip, wraps): (&Mip, bool),
     set: impl Fn(&mut T, [u32; 2]),
 ) {
     let [width, height] = mip.size.map(|side| side as usize);
+    let behind = |at: usize, side: usize| if wraps { at % side } else { at.min(side - 1) };
     let pairs = |y: usize| {
-        let row = &mip.texels[y % height * width..][..width];
-        row.iter().enumerate().map(move |(x, near)| u32::from(*near) | u32::from(row[(x + 1) % width]) << 16)
+        let row = &mip.texels[behind(y, height) * width..][..width];
+        row.iter().enumerate().map(move |(x, near)| u32::from(*near) | u32::from(row[behind(x + 1, width)]) << 16)
     };
     for y in 0..height {
         let row = &mut image[(top as usize + y) * columns as usize + left as usize..][..width];
@@ -46,7 +47,7 @@ mod tests {
         for mip in (0..=2).rev() {
             let size = map.map(|side| side >> mip);
             let texels: Vec<u16> = (0..size[0] * size[1]).map(|index| (100 * mip + index) as u16).collect();
-            write(&mut image, 8, corner(map, mip), &Mip { size, texels }, |texel, patch| *texel = patch);
+            write(&mut image, 8, corner(map, mip), (&Mip { size, texels }, true), |texel, patch| *texel = patch);
         }
         assert_eq!(size_of_all(map), 8 * 6);
         assert_eq!(image[0], [1 << 16, 8 | 9 << 16]);
@@ -55,6 +56,14 @@ mod tests {
         assert_eq!(image[36], [200 | 201 << 16, 200 | 201 << 16]);
         // What no mip covers.
         assert_eq!(image.iter().filter(|patch| **patch == [9; 2]).count(), 48 - 32 - 8 - 2);
+    }
+
+    #[test]
+    fn a_map_that_ends_goes_on_as_it_ends() {
+        let mut image = [[0; 2]; 4];
+        let mip = Mip { size: [2, 2], texels: vec![1, 2, 3, 4] };
+        write(&mut image, 2, [0, 0], (&mip, false), |texel, patch| *texel = patch);
+        assert_eq!(image, [[1 | 2 << 16, 3 | 4 << 16], [2 | 2 << 16, 4 | 4 << 16], [3 | 4 << 16; 2], [4 | 4 << 16; 2]]);
     }
 
     fn size_of_all(map: [u32; 2]) -> u32 {

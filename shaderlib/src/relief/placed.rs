@@ -104,7 +104,7 @@ impl Placed {
             Texels::F32(_) => return Err(Unplaceable::Floats),
         };
         let extent = Extent::new(heights);
-        let (tiled, wraps) = (extent.is_tiled(), heights.border() == Border::Wrap && !extent.is_tiled());
+        let (tiled, wraps) = (extent.is_tiled(), extent.wraps);
         let range = update::range(&texels);
         let mips = mips::all(fill(&texels, &extent), extent.filled, wraps);
         let fields = mips.iter().enumerate().map(|(mip, one)| {
@@ -136,7 +136,7 @@ impl Placed {
             Bounds::Quadrants => cones::quadrants(heights, &mips, progress),
             Bounds::Cones(cones) => cones::plane(heights, &mips, cones, progress),
         };
-        let heights = if bounds == Bounds::Patches { all_patches(&mips) } else { texels_of(mips) };
+        let heights = if bounds == Bounds::Patches { all_patches(&mips, wraps) } else { texels_of(mips) };
         Ok(Self { heights, bounds: image, fields, range, tiled })
     }
 
@@ -179,13 +179,12 @@ fn texels_of(mips: Vec<Mip>) -> Plane {
     Plane { size: mips[0].size, words: Words::R16(mips.into_iter().map(|mip| mip.texels).collect()) }
 }
 
-/// Filled up a map wraps, whatever it did: nothing is asked of the patches behind its border.
-fn all_patches(mips: &[Mip]) -> Plane {
+fn all_patches(mips: &[Mip], wraps: bool) -> Plane {
     let size = patches::size(mips[0].size, mips.len() > 1);
     let mut image = vec![[0; 2]; size[0] as usize * size[1] as usize];
     for (index, mip) in mips.iter().enumerate() {
         let corner = patches::corner(mips[0].size, index as u32);
-        patches::write(&mut image, size[0], corner, mip, |texel, patch| *texel = patch);
+        patches::write(&mut image, size[0], corner, (mip, wraps), |texel, patch| *texel = patch);
     }
     Plane { size, words: Words::Rg32(vec![image]) }
 }

@@ -144,7 +144,7 @@ fn displaced_field(layer: DisplacedLayer, mip: i32) -> ReliefField {
     );
 }
 
-/// Where the coarse nodes of a mip of so many cells stand in an image of cones: under the mip of that size.
+/// Where the coarse nodes of a mip of so many cells stand in an image of cells: under the mip of that size.
 fn displaced_coarse(layer: DisplacedLayer, sides: vec2i) -> vec2i {
     let nodes = sides >> vec2u(RELIEF_COARSE);
     return vec2i(layer.size.x - 2i * nodes.x, layer.size.y + nodes.y);

@@ -21,11 +21,11 @@ struct ReliefField {
     mip: i32,
     /// The layer of the textures.
     layer: i32,
-    /// Where the mip's first patch stands in an image of patches.
+    /// Where the mip's first patch stands in an image of patches or of cells.
     patches: vec2i,
     /// log2 of the steps of height to a step of a wide node's base.
     unit: i32,
-    /// Where the mip's first coarse node stands in an image of cones; -1 where a search does not begin there.
+    /// Where the mip's first coarse node stands in an image of cells; -1 where a search does not begin there.
     coarse: vec2i,
 }
 

@@ -3,7 +3,7 @@
 //!
 //! It visits the cells that `robust_cone` visits, and is exact for the same reasons. There a loop goes from cone to cone and
 //! another intersects patches, since llvmpipe does the work of all branches for all lanes; here each lane intersects its patch as
-//! soon as it stands on it. On an NVIDIA H100 that takes 0.5 to 0.95 of the time of two loops, on llvmpipe 1.3 to 1.7 times it.
+//! soon as it stands on it. On an NVIDIA H100 that takes 0.5 to 1.02 of the time of two loops, on llvmpipe 1.2 to 2.2 times it.
 //! Source: Terrane; see `robust_cone`.
 
 /// The first hit of a ray.

@@ -72,8 +72,9 @@ impl Image {
         let squares = |ways: Ways| Drawing::Squares(Box::new(Squares::new(passes, format, (extent, border), ways)));
         let rounds =
             |is_relaxed: bool| Drawing::Rounds(Box::new(Rounds::new(passes, format, (extent, border), is_relaxed)));
+        let wraps = [("build_wraps", f64::from(u8::from(extent.wraps)))];
         let drawing = match (wanted, bound(wanted)) {
-            (MapTexture::Patches, _) => Drawing::Patches(passes.pass("build_patches", format, &[])),
+            (MapTexture::Patches, _) => Drawing::Patches(passes.pass("build_patches", format, &wraps)),
             (MapTexture::Bounds(Bounds::Wide), _) => Drawing::Wide(Strip::new(passes, format, extent)),
             (MapTexture::Bounds(Bounds::Cones(Cones::Step)), _) => rounds(false),
             (MapTexture::Bounds(Bounds::Cones(Cones::Relaxed)), _) => rounds(true),
@@ -87,7 +88,7 @@ impl Image {
                 Drawing::Cells(Box::new((
                     Squares::new(passes, cones.clone(), (extent, border), Ways::Quadrants),
                     Coarse::new(passes, cones, (extent, border)),
-                    passes.pass("build_patches", patches, &[]),
+                    passes.pass("build_patches", patches, &wraps),
                 )))
             }
             (_, Some(bound)) => Drawing::Quadtrees(bound, passes.pass("build_same", format, &[])),

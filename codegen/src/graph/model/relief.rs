@@ -36,7 +36,7 @@ pub struct ReliefTrace {
 /// Which tracer finds the displaced surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ReliefMethod {
-    /// The exact one that draws fastest on the platform; where the ray's whole way through the relief is shorter than the error, a
+    /// The exact one for the platform, of [`Method::fastest`](terrane_shaderlib::relief::Method::fastest); where the ray's whole way through the relief is shorter than the error, a
     /// single look.
     Auto {
         /// Texels of the height map, 0.001..64.
