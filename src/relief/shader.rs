@@ -108,12 +108,13 @@ pub(super) struct Pipelines {
     module: wgpu::ShaderModule,
     pub(super) group: wgpu::BindGroupLayout,
     layout: wgpu::PipelineLayout,
-    answers: OnceLock<wgpu::ComputePipeline>,
+    /// What writes whole answers.
+    pub(super) answers: wgpu::ComputePipeline,
     timed: OnceLock<wgpu::ComputePipeline>,
 }
 
 impl Pipelines {
-    /// Parses a method's text; an entry point is compiled when it is first asked for.
+    /// Compiles a method's text; what is timed when it is first asked for.
     pub(super) fn new(gpu: &Gpu, method: Method, text: &str) -> Self {
         let entries: Vec<_> = (0..6).map(|binding| entry(method, binding)).collect();
         let group = gpu
@@ -125,29 +126,30 @@ impl Pipelines {
             ..Default::default()
         });
         let (device, module) = (gpu.device.clone(), module(gpu, text));
-        Self { device, module, group, layout, answers: OnceLock::new(), timed: OnceLock::new() }
+        let answers = pipeline(&device, &module, &layout, "relief_main");
+        Self { device, module, group, layout, answers, timed: OnceLock::new() }
     }
 
-    /// The one that writes whole answers.
-    pub(super) fn answers(&self) -> &wgpu::ComputePipeline {
-        self.answers.get_or_init(|| self.pipeline("relief_main"))
-    }
-
-    /// The one that writes t alone.
+    /// What writes t alone.
     pub(super) fn timed(&self) -> &wgpu::ComputePipeline {
-        self.timed.get_or_init(|| self.pipeline("relief_timed"))
+        self.timed.get_or_init(|| pipeline(&self.device, &self.module, &self.layout, "relief_timed"))
     }
+}
 
-    fn pipeline(&self, entry: &str) -> wgpu::ComputePipeline {
-        self.device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
-            label: Some(entry),
-            layout: Some(&self.layout),
-            module: &self.module,
-            entry_point: Some(entry),
-            compilation_options: wgpu::PipelineCompilationOptions::default(),
-            cache: None,
-        })
-    }
+fn pipeline(
+    device: &wgpu::Device,
+    module: &wgpu::ShaderModule,
+    layout: &wgpu::PipelineLayout,
+    entry: &str,
+) -> wgpu::ComputePipeline {
+    device.create_compute_pipeline(&wgpu::ComputePipelineDescriptor {
+        label: Some(entry),
+        layout: Some(layout),
+        module,
+        entry_point: Some(entry),
+        compilation_options: wgpu::PipelineCompilationOptions::default(),
+        cache: None,
+    })
 }
 
 /// Without the checks that wgpu would add, which would be measured too: a counter in every loop, a bound on every index.

@@ -165,7 +165,7 @@ impl<'a> Tracer<'a> {
     /// [`RenderError::Lost`] where the device fails.
     pub fn find(&self, sent: &Sent) -> Result<Vec<Traced>, RenderError> {
         for part in &sent.parts {
-            self.time_passes(part, self.pipelines.answers(), &self.bind(part), 1)?;
+            self.time_passes(part, &self.pipelines.answers, &self.bind(part), 1)?;
         }
         sent.read(self.gpu)
     }
@@ -176,7 +176,7 @@ impl<'a> Tracer<'a> {
     /// Those of [`Self::send`] and [`Self::time`].
     pub fn trace(&self, segments: &[Segment]) -> Result<(Vec<Traced>, Duration), RenderError> {
         let sent = self.send(segments)?;
-        let times = sent.parts.iter().map(|part| self.time_part(part, self.pipelines.answers()));
+        let times = sent.parts.iter().map(|part| self.time_part(part, &self.pipelines.answers));
         let time = times.sum::<Result<_, _>>()?;
         Ok((sent.read(self.gpu)?, time))
     }
@@ -185,7 +185,7 @@ impl<'a> Tracer<'a> {
     pub(super) fn run(&self, rays: &[DeviceRay]) -> Result<(Vec<DeviceHit>, Duration), RenderError> {
         let (mut hits, mut time) = (Vec::new(), Duration::ZERO);
         for part in Part::all(self.gpu, rays)? {
-            time += self.time_part(&part, self.pipelines.answers())?;
+            time += self.time_part(&part, &self.pipelines.answers)?;
             hits.extend(part.read(self.gpu)?);
         }
         Ok((hits, time))
@@ -240,11 +240,7 @@ impl<'a> Tracer<'a> {
 }
 
 fn compiled(gpu: &Gpu, method: Method, text: &str) -> Result<Pipelines, RenderError> {
-    gpu.checked("relief's pipeline", || {
-        let pipelines = Pipelines::new(gpu, method, text);
-        pipelines.answers();
-        pipelines
-    })
+    gpu.checked("relief's pipeline", || Pipelines::new(gpu, method, text))
 }
 
 /// A method's shader, over a map that is traced whole or tile by tile.

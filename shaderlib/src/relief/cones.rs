@@ -62,9 +62,10 @@ pub(super) fn cells(heights: &Heights, mips: &[Mip], progress: Progress<'_>) -> 
             write(corner, nodes[0], &toward_all(&coarse::heights(mip, heights.border()), nodes, progress));
         }
     }
+    let wraps = Extent::new(heights).wraps;
     for (index, mip) in (0..).zip(mips) {
         let patch = |cell: &mut [u32; 4], patch: [u32; 2]| cell[2..].copy_from_slice(&patch);
-        patches::write(&mut image, size[0], patches::corner(map, index), (mip, Extent::new(heights).wraps), patch);
+        patches::write(&mut image, size[0], patches::corner(map, index), (mip, wraps), patch);
     }
     Plane { size, words: Words::Rgba32(image) }
 }

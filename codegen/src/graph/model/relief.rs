@@ -36,8 +36,8 @@ pub struct ReliefTrace {
 /// Which tracer finds the displaced surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ReliefMethod {
-    /// The exact one for the platform, of [`Method::fastest`](terrane_shaderlib::relief::Method::fastest); where the ray's whole way through the relief is shorter than the error, a
-    /// single look.
+    /// The exact one for the platform, [`Method::fastest`](terrane_shaderlib::relief::Method::fastest); where the ray's whole way
+    /// through the relief is shorter than the error, a single look.
     Auto {
         /// Texels of the height map, 0.001..64.
         max_error: f32,
