@@ -69,7 +69,11 @@ proptest! {
         for bound in [Bound::TexelMax, Bound::CellMax, Bound::CellMin] {
             let mut pyramid = Pyramid::new(&before, bound);
             pyramid.update(&after, rectangle.clone());
-            prop_assert_eq!(pyramid, Pyramid::new(&after, bound));
+            prop_assert_eq!(&pyramid, &Pyramid::new(&after, bound));
+            if let (Bound::CellMax, Ok(mut wide)) = (bound, Wide::new(&before)) {
+                wide.update(&pyramid, &after, &rectangle);
+                prop_assert_eq!(wide, Wide::over(&pyramid).expect("steps"));
+            }
         }
     }
 

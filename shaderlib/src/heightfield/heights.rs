@@ -126,6 +126,11 @@ impl Heights {
         self.texels.height(y * self.size[0] as usize + x)
     }
 
+    /// The height of a texel of the map.
+    pub(crate) fn texel(&self, [x, y]: [usize; 2]) -> f64 {
+        self.texels.height(y * self.size[0] as usize + x)
+    }
+
     /// The heights around a cell: at its corner, one to the right, one down, and both.
     #[must_use]
     pub fn corners(&self, x: i64, y: i64) -> [f64; 4] {

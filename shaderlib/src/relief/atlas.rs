@@ -1,7 +1,8 @@
 //! One image for the quadtrees of all mips of a map.
 
 use super::dirty::{Region, halved};
-use crate::heightfield::pyramid::Level;
+use super::mips::Mip;
+use crate::heightfield::pyramid::{Bound, Level};
 
 /// The texel of a level's first node: level 0 of a mip of w × h cells stands at `corner`, and level k at `corner >> k`.
 pub(super) fn place(corner: [u32; 2], level: usize) -> [u32; 2] {
@@ -31,17 +32,26 @@ pub(super) fn write(image: &mut [u16], width: u32, corner: [u32; 2], levels: &[L
     }
 }
 
-/// Brings the levels over some cells of a mip up to date. `texels` are its heights, of which it has `size >> mip`.
-pub(super) fn update(image: &mut [u16], size: [u32; 2], mip: u32, texels: &[u16], cells: Vec<Region>) {
-    let sides = size.map(|side| side >> mip);
-    let corner = corner(size, mip);
-    let texel = |x: u32, y: u32| texels[(y % sides[1] * sides[0] + x % sides[0]) as usize];
-    each(&cells, |x, y| {
-        let highest = texel(x, y).max(texel(x + 1, y)).max(texel(x, y + 1)).max(texel(x + 1, y + 1));
-        image[((corner[1] + y) * size[0] + corner[0] + x) as usize] = highest;
+/// Brings the levels over some nodes of a mip's finest one up to date.
+pub(super) fn update<T: Copy + Ord + From<u16>>(
+    image: &mut [T],
+    size: [u32; 2],
+    (index, mip): (u32, &Mip),
+    bound: Bound,
+    nodes: Vec<Region>,
+) {
+    let corner = corner(size, index);
+    let [width, height] = mip.size;
+    let texel = |x: u32, y: u32| mip.texels[(y % height * width + x % width) as usize];
+    each(&nodes, |x, y| {
+        let highest = match bound {
+            Bound::TexelMax => texel(x, y),
+            _ => texel(x, y).max(texel(x + 1, y)).max(texel(x, y + 1)).max(texel(x + 1, y + 1)),
+        };
+        image[((corner[1] + y) * size[0] + corner[0] + x) as usize] = highest.into();
     });
-    let mut nodes = cells;
-    for level in 1..=sides[0].min(sides[1]).ilog2() as usize {
+    let mut nodes = nodes;
+    for level in 1..=width.min(height).ilog2() as usize {
         nodes = halved(&nodes);
         let [finer, coarser] = [level - 1, level].map(|level| place(corner, level));
         each(&nodes, |x, y| {

@@ -5,6 +5,7 @@ use crate::heightfield::pyramid::{Bound, Level, Levels, Pyramid};
 use crate::heightfield::{Border, Heights, Texels};
 
 /// One mip of a map, filled up to powers of two.
+#[derive(Clone)]
 pub(super) struct Mip {
     pub(super) size: [u32; 2],
     pub(super) texels: Vec<u16>,

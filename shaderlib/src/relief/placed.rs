@@ -184,7 +184,9 @@ fn all_patches(mips: &[Mip], wraps: bool) -> Plane {
     let mut image = vec![[0; 2]; size[0] as usize * size[1] as usize];
     for (index, mip) in mips.iter().enumerate() {
         let corner = patches::corner(mips[0].size, index as u32);
-        patches::write(&mut image, size[0], corner, (mip, wraps), |texel, patch| *texel = patch);
+        patches::write(&mut image, size[0], corner, (mip, wraps), &mip.size.map(|side| 0..side), |texel, patch| {
+            *texel = patch
+        });
     }
     Plane { size, words: Words::Rg32(vec![image]) }
 }

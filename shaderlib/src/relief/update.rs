@@ -1,12 +1,15 @@
 //! A placed map after a part of it has changed.
 
+use super::cones::update::{self as cones, Change};
 use super::dirty::{Extent, Region, halved};
-use super::{Bounds, Placed, Words, atlas, mips};
+use super::mips::{self, Mip};
+use super::{Bounds, Placed, Words, atlas, patches};
+use crate::heightfield::pyramid::Bound;
 use crate::heightfield::{Heights, Texels};
 
 impl Placed {
     /// Brings what depends on a rectangle of changed texels up to date, columns and rows inside the map: it is then as if it
-    /// were placed anew. `bounds` are those that it was placed with.
+    /// were placed anew. `bounds` are those that it was placed with. Wide ones alone are packed anew.
     ///
     /// # Panics
     /// If the map has another size than that which was placed, or is one of floats.
@@ -15,45 +18,93 @@ impl Placed {
             return;
         }
         let extent = Extent::new(heights);
-        assert_eq!(self.heights.size, extent.filled, "a map of another size");
-        let width = self.heights.size[0];
-        let placed = matches!(bounds, Bounds::None | Bounds::CellMax);
-        let (Words::R16(heights_of), true) = (&mut self.heights.words, placed) else {
-            // Other bounds reach far beyond what has changed, or are no method's that is meant for changes.
+        assert_eq!(self.fields[0].last, extent.last.map(|last| last as i32), "a map of another size");
+        if bounds == Bounds::Wide {
             *self = Self::new(heights, bounds, self.fields[0].limit).expect("a map of floats where steps are placed");
             return;
-        };
-        let mut changed = extent.texels(texels);
-        for region in &changed {
-            source(heights, &extent, &mut heights_of[0], width, region);
         }
-        for mip in 0..extent.mips {
-            if mip > 0 {
-                changed = halved(&changed);
-                let (finer, coarser) = heights_of.split_at_mut(mip as usize);
-                changed.iter().for_each(|region| {
-                    mips::halve_part(&finer[mip as usize - 1], &mut coarser[0], width >> mip, region)
-                });
-            }
-            if let (Bounds::CellMax, Words::R16(image)) = (bounds, &mut self.bounds.words) {
-                let cells = extent.cells(mip, &changed);
-                atlas::update(&mut image[0], extent.filled, mip, &heights_of[mip as usize], cells);
-            }
+        let before = self.take_mips(&extent);
+        let mut after = before.clone();
+        let texels = change(&mut after, heights, &extent, texels);
+        self.update_bounds(
+            bounds,
+            &Change { heights, extent: &extent, before: &before, after: &after, texels: &texels },
+        );
+        self.range = range(&after[0].texels);
+        match &mut self.heights.words {
+            Words::Rg32(images) => all_patches(&mut images[0], &after, &extent, &texels),
+            words => *words = Words::R16(after.into_iter().map(|mip| mip.texels).collect()),
         }
-        self.range = range(&heights_of[0]);
+    }
+
+    /// The heights of all mips. Those that are no patches are gone from here.
+    fn take_mips(&mut self, extent: &Extent) -> Vec<Mip> {
+        match &mut self.heights.words {
+            Words::R16(images) => {
+                let sizes = (0..).map(|mip| extent.filled.map(|side| side >> mip));
+                let images = std::mem::take(images).into_iter();
+                images.zip(sizes).map(|(texels, size)| Mip { size, texels }).collect()
+            }
+            Words::Rg32(images) => patches::mips(&images[0], extent.filled, extent.mips),
+            _ => unreachable!("heights are texels or patches"),
+        }
+    }
+
+    fn update_bounds(&mut self, bounds: Bounds, change: &Change<'_>) {
+        match (bounds, &mut self.bounds.words) {
+            (Bounds::CellMax, Words::R16(images)) => quadtrees(&mut images[0], Bound::CellMax, change),
+            (Bounds::TexelMax, Words::R16(images)) => quadtrees(&mut images[0], Bound::TexelMax, change),
+            (Bounds::Patches, Words::R32(image)) => quadtrees(image, Bound::CellMax, change),
+            (Bounds::Cones(kind), Words::Rg16(images)) => cones::plane(images, kind, change),
+            (Bounds::Quadrants, Words::Rg32(images)) => cones::quadrants(images, change),
+            (Bounds::Cells, Words::Rgba32(image)) => cones::cells(image, change),
+            _ => assert_eq!(bounds, Bounds::None, "a map placed with other bounds"),
+        }
     }
 }
 
+/// Brings mips up to date, and tells which of their texels are others.
+fn change(all: &mut [Mip], heights: &Heights, extent: &Extent, texels: &Region) -> Vec<Vec<Region>> {
+    let mut changed = vec![extent.texels(texels)];
+    changed[0].iter().for_each(|region| source(heights, extent, &mut all[0], region));
+    for mip in 1..all.len() {
+        let regions = halved(&changed[mip - 1]);
+        let (finer, coarser) = all.split_at_mut(mip);
+        let width = coarser[0].size[0];
+        regions.iter().for_each(|region| {
+            mips::halve_part(&finer[mip - 1].texels, &mut coarser[0].texels, width, region);
+        });
+        changed.push(regions);
+    }
+    changed
+}
+
 /// Writes a region of the first mip from the map.
-fn source(heights: &Heights, extent: &Extent, texels: &mut [u16], width: u32, [columns, rows]: &Region) {
+fn source(heights: &Heights, extent: &Extent, mip: &mut Mip, [columns, rows]: &Region) {
     for y in rows.clone() {
         for x in columns.clone() {
-            let at = extent.source(1, y) * extent.size[0] + extent.source(0, x);
-            texels[(y * width + x) as usize] = match heights.texels() {
-                Texels::U8(values) => u16::from(values[at as usize]),
-                Texels::U16(values) => values[at as usize],
+            let at = (extent.source(1, y) * extent.size[0] + extent.source(0, x)) as usize;
+            mip.texels[(y * mip.size[0] + x) as usize] = match heights.texels() {
+                Texels::U8(values) => u16::from(values[at]),
+                Texels::U16(values) => values[at],
                 Texels::F32(_) => panic!("a map of floats where steps are placed"),
             };
+        }
+    }
+}
+
+fn quadtrees<T: Copy + Ord + From<u16>>(image: &mut [T], bound: Bound, change: &Change<'_>) {
+    for ((index, mip), texels) in (0..).zip(change.after).zip(change.texels) {
+        let nodes = if bound == Bound::TexelMax { texels.clone() } else { change.extent.cells(index, texels) };
+        atlas::update(image, change.extent.filled, (index, mip), bound, nodes);
+    }
+}
+
+fn all_patches(image: &mut [[u32; 2]], mips: &[Mip], extent: &Extent, texels: &[Vec<Region>]) {
+    for ((index, mip), texels) in (0..).zip(mips).zip(texels) {
+        for cells in extent.cells(index, texels) {
+            let set = |texel: &mut [u32; 2], patch| *texel = patch;
+            patches::write(image, extent.filled[0], extent.patches(index), (mip, extent.wraps), &cells, set);
         }
     }
 }

@@ -1,7 +1,11 @@
 //! A cone for every texel.
 
+use std::ops::Range;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use super::change::changed;
+use super::part::{Part, bands, codes, standing, turns};
 use super::stored::Stored;
-use super::{round, square};
 use crate::heightfield::{Heights, Texels};
 
 /// Which cones.
@@ -58,9 +62,51 @@ impl ConeMap {
     #[must_use]
     pub fn new(heights: &Heights, cones: Cones, progress: &(dyn Fn(u64, u64) + Sync)) -> Self {
         let stored = Stored { cones, unit: unit(heights.texels()) };
-        let codes = if cones.are_square() { square::codes } else { round::codes };
-        let codes = codes(heights, &stored, progress);
-        Self { cones, size: heights.size(), unit: stored.unit, codes }
+        let parts = bands(heights, cones);
+        let (total, finished) = (turns(cones) * parts.len() as u64, AtomicU64::new(0));
+        let done = || progress(finished.fetch_add(1, Ordering::Relaxed) + 1, total);
+        let codes = codes(heights, &stored, &parts, &done);
+        let size = heights.size();
+        let mut map = Self { cones, size, unit: stored.unit, codes: vec![0; size[0] as usize * size[1] as usize] };
+        map.place(standing(heights, cones), parts.into_iter().zip(codes));
+        map
+    }
+
+    /// Brings what a rectangle of changed texels may have reached up to date, columns and rows inside the map: of a map `before` it
+    /// changed and `after`. It is then as if it were built anew. A cone is found again where what has changed is, or was, as steep
+    /// from there as the cone: near by, and where nothing else is steeper.
+    ///
+    /// # Panics
+    /// If the maps differ in size, border or kind of texels, or were not those of this one.
+    pub fn update(&mut self, before: &Heights, after: &Heights, texels: &[Range<u32>; 2]) {
+        assert_eq!((before.size(), before.border()), (self.size, after.border()), "cones of another map");
+        if texels.iter().any(Range::is_empty) {
+            return;
+        }
+        let stored = Stored { cones: self.cones, unit: self.unit };
+        if unit(after.texels()) != self.unit {
+            *self = Self::new(after, self.cones, &|_, _| ());
+            return;
+        }
+        let width = self.size[0] as usize;
+        let is_reached = |[x, y]: [usize; 2], code: u16| stored.is_as_steep(code, self.codes[y * width + x]);
+        let changed = changed(&stored, (before, after), std::slice::from_ref(texels), &is_reached);
+        self.place(standing(after, self.cones), changed);
+    }
+
+    /// Takes the codes of some parts. Where none stands, it is that of the one before.
+    fn place(&mut self, standing: [usize; 2], parts: impl IntoIterator<Item = (Part, Vec<u16>)>) {
+        let size = self.size.map(|side| side as usize);
+        for (part, codes) in parts {
+            let ends = [0, 1].map(|axis| if part[axis].end == standing[axis] { size[axis] } else { part[axis].end });
+            let [columns, rows] = part;
+            for y in rows.start..ends[1] {
+                let codes = &codes[(y.min(rows.end - 1) - rows.start) * columns.len()..][..columns.len()];
+                let row = &mut self.codes[y * size[0]..][columns.start..ends[0]];
+                row[..columns.len()].copy_from_slice(codes);
+                row[columns.len()..].fill(codes[columns.len() - 1]);
+            }
+        }
     }
 
     /// Steps for each texel that a cone is steep: what the shader decodes, exactly.

@@ -4,11 +4,13 @@
 //! the nearest nodes first, and a node whose largest height would not be steeper stays closed: the result is that over all
 //! texels. For square ones it is the highest of squares that grow, which takes a hundredth of the time.
 
+mod change;
 mod code;
 mod falling;
 mod map;
 mod mirror;
 mod node_row;
+mod part;
 mod quadrant;
 mod report;
 mod rings;
@@ -17,10 +19,13 @@ mod square;
 mod stored;
 mod windows;
 
+pub(crate) use change::changed;
 pub use code::Format;
 pub use map::{ConeMap, Cones};
+pub(crate) use part::{Part, standing};
 pub use report::{Report, report};
 pub use rings::{NEAR, Ring, rings};
+pub(crate) use stored::Stored;
 pub use stored::{RATIO, SLOPE, STEEPER};
 
 #[cfg(test)]

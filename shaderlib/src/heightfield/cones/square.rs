@@ -7,33 +7,30 @@
 //! is narrowed by what lies in the cell's node behind it too; it is never less steep than it has to be. All of it is f32 and in an
 //! order that leaves no choice, so that a device that does the same finds the same (`hosts/relief/build_cones.wgsl`).
 
-use std::sync::atomic::{AtomicU64, Ordering};
-
 use rayon::prelude::*;
 
 use super::map::steps;
 use super::mirror::{Mirror, mirrors};
 use super::node_row::NodeRow;
+use super::part::{Part, area};
 use super::rings::{Ring, rings};
 use super::stored::Stored;
 use super::windows::{Windows, larger, steepen};
 use crate::heightfield::pyramid::{Level, maxima};
 use crate::heightfield::{Border, Heights};
 
-/// Rows of cells to a task at least, and rows of nodes.
-const BAND: [usize; 2] = [64, 8];
+/// Cells along a part, or any multiple of it: nodes of any size are whole in it, or hold all of it.
+pub(super) const SIDE: usize = 64;
 
-/// The codes of all cones over cells.
-pub(super) fn codes(heights: &Heights, stored: &Stored, progress: &(dyn Fn(u64, u64) + Sync)) -> Vec<u16> {
+/// The codes of all cones over the cells of some parts. `done` is told of each part that is.
+pub(super) fn codes(heights: &Heights, stored: &Stored, parts: &[Part], done: &(dyn Fn() + Sync)) -> Vec<Vec<u16>> {
     let land = Land::new(heights, mirrors(stored.cones));
-    let (total, tasks) = (land.tasks(), AtomicU64::new(0));
-    let slopes = land.slopes(&|| progress(tasks.fetch_add(1, Ordering::Relaxed) + 1, total));
-    let [width, height] = heights.size();
-    let [columns, rows] = heights.cells();
-    let texels = (0..height).flat_map(|y| (0..width).map(move |x| [x, y]));
-    // Where no cell begins, it is that of the one before.
-    let cells = texels.map(|[x, y]| (y.min(rows - 1) * width + x.min(columns - 1)) as usize);
-    cells.map(|cell| stored.square(slopes[cell])).collect()
+    let part = |part: &Part| {
+        let codes = land.slopes(part).into_iter().map(|slope| stored.square(slope)).collect();
+        done();
+        codes
+    };
+    parts.par_iter().map(part).collect()
 }
 
 /// A map and the quadrants that count.
@@ -51,53 +48,40 @@ impl Land {
         let wrap = heights.border() == Border::Wrap;
         let heights = Level { size: heights.size(), values: steps(heights.texels()) };
         let [width, height] = heights.size.map(|side| side as usize);
-        let mut corners = Windows::new(&heights, wrap, 0..height, 1);
+        let mut corners = Windows::new(&heights, wrap, &[0..width, 0..height], 1);
         corners.grow();
         let values = (0..height).flat_map(|y| &corners.row(y, [0, 0])[..width]).copied().collect();
         let tips = maxima(Level { size: heights.size, values });
         Self { mirrors, wrap, heights, tips }
     }
 
-    /// Steps to each texel that the steepest way up from each cell climbs, in f32: less than three roundings below what it is.
-    /// `done` is told of each task that is.
-    fn slopes(&self, done: &(dyn Fn() + Sync)) -> Vec<f32> {
-        let [width, height] = self.tips[0].size.map(|side| side as usize);
+    /// Steps to each texel that the steepest way up from each cell of a part climbs, in f32: less than three roundings below what
+    /// it is.
+    fn slopes(&self, part: &Part) -> Vec<f32> {
+        let tips = self.tips_of(part);
+        let mut slopes = vec![0.0; area(part)];
         let levels = rings(self.wrap, self.tips[0].size);
-        let mut slopes = vec![0.0; width * height];
-        slopes.par_chunks_mut(width * band(0)).enumerate().for_each(|(at, slopes)| {
-            self.near(at * band(0), &levels[0], slopes);
-            self.diagonals(at * band(0), &levels[0], slopes);
-            done();
-        });
+        self.near(part, &levels[0], &tips, &mut slopes);
+        self.diagonals(part, &levels[0], &tips, &mut slopes);
         for (level, rings) in levels.iter().enumerate().skip(1) {
-            slopes.par_chunks_mut((width * band(level)) << level).enumerate().for_each(|(at, slopes)| {
-                self.far(level, at * band(level), rings, slopes);
-                done();
-            });
+            self.far(level, part, rings, &tips, &mut slopes);
         }
         slopes
     }
 
-    /// Tasks of [`Self::slopes`].
-    fn tasks(&self) -> u64 {
-        let size = self.tips[0].size;
-        let levels = 0..rings(self.wrap, size).len();
-        levels.map(|level| (size[1] as usize).div_ceil(band(level) << level) as u64).sum()
+    fn tips_of(&self, [columns, rows]: &Part) -> Vec<f32> {
+        let width = self.tips[0].size[0] as usize;
+        let rows = self.tips[0].values.chunks_exact(width).take(rows.end).skip(rows.start);
+        rows.flat_map(|row| &row[columns.clone()]).copied().collect()
     }
 
-    /// The tips from a row on, row by row.
-    fn tips_from(&self, row: usize) -> impl Iterator<Item = &[f32]> {
-        let width = self.tips[0].size[0] as usize;
-        self.tips[0].values[row * width..].chunks_exact(width)
-    }
-
-    /// Of rows from one on: what is in rings of texels.
-    fn near(&self, from: usize, rings: &[Ring], slopes: &mut [f32]) {
-        let width = self.tips[0].size[0] as usize;
-        let mut windows = Windows::new(&self.tips[0], self.wrap, from..from + slopes.len() / width, rings.len());
+    /// What is in rings of texels.
+    fn near(&self, part: &Part, rings: &[Ring], tips: &[f32], slopes: &mut [f32]) {
+        let width = part[0].len();
+        let mut windows = Windows::new(&self.tips[0], self.wrap, part, rings.len());
         for Ring { reach, share, .. } in rings {
             windows.grow();
-            for (y, (slopes, tips)) in slopes.chunks_exact_mut(width).zip(self.tips_from(from)).enumerate() {
+            for (y, (slopes, tips)) in slopes.chunks_exact_mut(width).zip(tips.chunks_exact(width)).enumerate() {
                 for mirror in self.mirrors {
                     steepen(slopes, tips, windows.row(y, before(*mirror, *reach)), *share);
                 }
@@ -108,11 +92,10 @@ impl Land {
     /// Over a cell that the diagonal crosses, from (a, a) to (a + 1, a + 1) away, surface and distance are quadratics along it, and
     /// their middle control points have to compare as well: half the sum of the two corners beside it, and a + 1/2. Everywhere
     /// else what is true at the corners of a cell is true in it.
-    fn diagonals(&self, from: usize, rings: &[Ring], slopes: &mut [f32]) {
-        let width = self.tips[0].size[0] as usize;
-        let rows = from..from + slopes.len() / width;
-        let ground = Windows::new(&self.heights, self.wrap, rows, rings.len() + 1);
-        for (y, (slopes, tips)) in slopes.chunks_exact_mut(width).zip(self.tips_from(from)).enumerate() {
+    fn diagonals(&self, part: &Part, rings: &[Ring], tips: &[f32], slopes: &mut [f32]) {
+        let width = part[0].len();
+        let ground = Windows::new(&self.heights, self.wrap, part, rings.len() + 1);
+        for (y, (slopes, tips)) in slopes.chunks_exact_mut(width).zip(tips.chunks_exact(width)).enumerate() {
             for (mirror, ring) in self.mirrors.iter().flat_map(|mirror| rings.iter().map(move |ring| (*mirror, ring))) {
                 let beside = ground.corner(y, mirror, [ring.reach, ring.reach - 1]);
                 let below = ground.corner(y, mirror, [ring.reach - 1, ring.reach]);
@@ -124,13 +107,12 @@ impl Land {
         }
     }
 
-    /// Of the rows of nodes from one on: what lies in rings of nodes.
-    fn far(&self, level: usize, from: usize, rings: &[Ring], slopes: &mut [f32]) {
-        let width = self.tips[0].size[0] as usize;
-        let tips = &self.tips[0].values[(from << level) * width..][..slopes.len()];
-        let rows = from..from + (slopes.len() / width).div_ceil(1 << level);
+    /// What lies in rings of nodes.
+    fn far(&self, level: usize, part: &Part, rings: &[Ring], tips: &[f32], slopes: &mut [f32]) {
+        let width = part[0].len();
+        let nodes = part.clone().map(|range| range.start >> level..range.end.div_ceil(1 << level));
         let most = rings.last().map_or(0, |ring| ring.reach);
-        let mut windows = Windows::new(&self.tips[level], self.wrap, rows, most);
+        let mut windows = Windows::new(&self.tips[level], self.wrap, &nodes, most);
         let of_rows = slopes.chunks_mut(width << level).zip(tips.chunks(width << level));
         let mut rows: Vec<_> = of_rows.map(|(slopes, tips)| NodeRow::new(level, width, tips, slopes)).collect();
         let mut reach = 0;
@@ -149,9 +131,4 @@ impl Land {
 /// How far before a place the square toward a quadrant begins.
 fn before(mirror: Mirror, reach: usize) -> [usize; 2] {
     mirror.map(|mirrored| if mirrored { reach } else { 0 })
-}
-
-/// Rows of nodes to a task.
-fn band(level: usize) -> usize {
-    (BAND[0] >> level).max(BAND[1])
 }

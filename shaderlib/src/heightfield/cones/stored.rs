@@ -18,10 +18,10 @@ const ROUNDING: f64 = 1e-12;
 
 /// The way from slopes, in steps of the map for each texel, to codes and back.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Stored {
-    pub(super) cones: Cones,
+pub(crate) struct Stored {
+    pub(crate) cones: Cones,
     /// Steps to a unit of height.
-    pub(super) unit: f64,
+    pub(crate) unit: f64,
 }
 
 impl Stored {
@@ -33,6 +33,19 @@ impl Stored {
     /// Of a square cone, whose slope was found in f32.
     pub(super) fn square(&self, slope: f32) -> u16 {
         SLOPE.up(f64::from(slope / self.unit as f32 * STEEPER))
+    }
+
+    /// Of a slope that may be any cone's.
+    pub(super) fn code(&self, slope: f64) -> u16 {
+        if self.cones.are_square() { self.square(slope as f32) } else { self.round(slope) }
+    }
+
+    /// Whether a slope that has a code can be what another code stands for. The gentlest code is that of no slope as well.
+    pub(crate) fn is_as_steep(&self, code: u16, as_known: u16) -> bool {
+        match self.cones.are_square() {
+            true => code > 0 && code >= as_known,
+            false => code < u16::MAX && code <= as_known,
+        }
     }
 
     /// What a shader decodes.

@@ -1,8 +1,10 @@
 //! The wide pyramid: one 128-bit texel holds the bounds of sixteen children.
 
+use std::ops::Range;
+
 use rayon::prelude::*;
 
-use super::level::Level;
+use super::level::{Level, Region};
 use super::{Bound, Levels, Pyramid};
 use crate::heightfield::heights::Heights;
 
@@ -31,7 +33,15 @@ impl Wide {
     /// # Errors
     /// For a map of floats.
     pub fn new(heights: &Heights) -> Result<Self, FloatHeights> {
-        match Pyramid::new(heights, Bound::CellMax).levels() {
+        Self::over(&Pyramid::new(heights, Bound::CellMax))
+    }
+
+    /// Packs the levels of a pyramid of [`Bound::CellMax`].
+    ///
+    /// # Errors
+    /// For one over a map of floats.
+    pub fn over(cells: &Pyramid) -> Result<Self, FloatHeights> {
+        match cells.levels() {
             Levels::U8(levels) => Ok(Self::pack(levels, 0)),
             Levels::U16(levels) => Ok(Self::pack(levels, u16::BITS - BASE)),
             Levels::F32(_) => Err(FloatHeights),
@@ -43,10 +53,37 @@ impl Wide {
         let mut size = finer[0].size;
         while levels.is_empty() || size != [1, 1] {
             size = size.map(|side| side.div_ceil(CHILDREN));
-            // A level of four by four children is every second one of two by two; the coarsest may be missing.
-            levels.push(nodes(&finer[(2 * levels.len()).min(finer.len() - 1)], size, unit));
+            let mut level = Level::blank(size);
+            let whole = level.whole();
+            nodes(children(finer, levels.len()), &mut level, &whole, unit);
+            levels.push(level);
         }
         Self { unit, levels }
+    }
+
+    /// Packs the nodes over a rectangle of changed texels again: columns and rows inside the map, whose pyramid has been brought up
+    /// to date ([`Pyramid::update`]).
+    ///
+    /// # Panics
+    /// If the map has another size or kind of texels than that which this was packed from.
+    pub fn update(&mut self, cells: &Pyramid, heights: &Heights, texels: &[Range<u32>; 2]) {
+        if texels.iter().any(Range::is_empty) {
+            return;
+        }
+        for region in Bound::CellMax.touched(heights, texels.clone()) {
+            match cells.levels() {
+                Levels::U8(levels) => self.repack(levels, region),
+                Levels::U16(levels) => self.repack(levels, region),
+                Levels::F32(_) => panic!("a wide pyramid over another kind of texels"),
+            }
+        }
+    }
+
+    fn repack<T: Copy + Into<u32> + Sync>(&mut self, finer: &[Level<T>], mut region: Region) {
+        for (index, level) in self.levels.iter_mut().enumerate() {
+            region = region.map(|range| range.start / CHILDREN..range.end.div_ceil(CHILDREN));
+            nodes(children(finer, index), level, &region, self.unit);
+        }
     }
 
     /// What the pyramid says of a child: the level of its node, from 1, and its column and row among all children there.
@@ -84,12 +121,20 @@ impl std::error::Error for FloatHeights {}
 /// Heights over a node's children, row by row; beyond the map those of its last ones.
 type Children = [[u32; CHILDREN as usize]; CHILDREN as usize];
 
-fn nodes<T: Copy + Into<u32> + Sync>(children: &Level<T>, size: [u32; 2], unit: u32) -> Level<[u32; 4]> {
-    let mut level = Level::blank(size);
+/// What the nodes of a level are over: a level of four by four children is every second one of two by two; the coarsest may be
+/// missing.
+fn children<T>(finer: &[Level<T>], level: usize) -> &Level<T> {
+    &finer[(2 * level).min(finer.len() - 1)]
+}
+
+/// Packs the nodes of a region.
+fn nodes<T: Copy + Into<u32> + Sync>(children: &Level<T>, into: &mut Level<[u32; 4]>, region: &Region, unit: u32) {
     let last = children.size.map(|side| side - 1);
-    level.values.par_chunks_mut(size[0] as usize).enumerate().for_each(|(y, nodes)| {
+    let columns = region[0].start as usize..region[0].end as usize;
+    let whole_rows = into.values.par_chunks_mut(into.size[0] as usize).enumerate();
+    whole_rows.skip(region[1].start as usize).take(region[1].len()).for_each(|(y, nodes)| {
         let rows = [0, 1, 2, 3].map(|row| children.row((CHILDREN * y as u32 + row).min(last[1])));
-        for (x, node) in nodes.iter_mut().enumerate() {
+        for (x, node) in columns.clone().zip(&mut nodes[columns.clone()]) {
             let first = CHILDREN as usize * x;
             let near = [0, 1, 2, 3].map(|column| (first + column).min(last[0] as usize));
             *node = packed(
@@ -101,7 +146,6 @@ fn nodes<T: Copy + Into<u32> + Sync>(children: &Level<T>, size: [u32; 2], unit: 
             );
         }
     });
-    level
 }
 
 /// A node: bounds over its base, rounded down from the largest height less one, so that one more is not below it.

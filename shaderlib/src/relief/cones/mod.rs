@@ -1,5 +1,7 @@
 //! Cones and their tips as one image.
 
+pub(super) mod update;
+
 use rayon::prelude::*;
 
 use super::dirty::Extent;
@@ -36,7 +38,7 @@ fn image(heights: &Heights, [width, height]: [u32; 2], cones: Cones, progress: P
         let y = (y as u32).min(rows - 1);
         for (x, texel) in row.iter_mut().enumerate() {
             let x = (x as u32).min(columns - 1);
-            *texel = [tip(heights, cones, x, y), map.codes[(y * columns + x) as usize]];
+            *texel = [tip(heights, cones, [x, y]), map.codes[(y * columns + x) as usize]];
         }
     });
     image
@@ -65,7 +67,8 @@ pub(super) fn cells(heights: &Heights, mips: &[Mip], progress: Progress<'_>) -> 
     let wraps = Extent::new(heights).wraps;
     for (index, mip) in (0..).zip(mips) {
         let patch = |cell: &mut [u32; 4], patch: [u32; 2]| cell[2..].copy_from_slice(&patch);
-        patches::write(&mut image, size[0], patches::corner(map, index), (mip, wraps), patch);
+        let all = mip.size.map(|side| 0..side);
+        patches::write(&mut image, size[0], patches::corner(map, index), (mip, wraps), &all, patch);
     }
     Plane { size, words: Words::Rgba32(image) }
 }
@@ -86,13 +89,18 @@ fn toward_all(heights: &Heights, size: [u32; 2], progress: Progress<'_>) -> Vec<
 
 /// A texel of four codes, rounded up to twelve bits.
 fn packed(tip: u16, codes: [u16; 4]) -> [u32; 2] {
-    let [a, b, c, d] = codes.map(|code| ((u32::from(code) + 15) >> 4).min(0xfff));
+    let [a, b, c, d] = codes.map(twelve);
     let tip = u32::from(tip);
     [a | b << 12 | (tip & 0xff) << 24, c | d << 12 | (tip >> 8) << 24]
 }
 
+/// A code rounded up to twelve bits.
+fn twelve(code: u16) -> u32 {
+    ((u32::from(code) + 15) >> 4).min(0xfff)
+}
+
 /// How high the tip of a cone is: at most 65535, as the heights are.
-fn tip(heights: &Heights, cones: Cones, x: u32, y: u32) -> u16 {
+fn tip(heights: &Heights, cones: Cones, [x, y]: [u32; 2]) -> u16 {
     match cones {
         Cones::Step | Cones::Relaxed => heights.height(x.into(), y.into()) as u16,
         Cones::Robust | Cones::Quadrant(_) => {
