@@ -1,12 +1,16 @@
-//! What the bounds of a map cost: bytes, and time to build on all cores and on a device.
+//! What the bounds of a map cost: bytes, and time to build and to bring up to date, on all cores and on a device.
 
-use std::fmt::Write as _;
+mod brush;
+mod told;
+
 use std::time::Instant;
 
 use terrane_shaderlib::heightfield::Heights;
 use terrane_shaderlib::heightfield::pyramid::{Bound, Pyramid, Wide};
 use terrane_shaderlib::relief::{Bounds, MapTexture, Method, Placed, Region};
 
+use self::brush::Stroke;
+pub use self::told::{pyramids_csv, pyramids_table};
 use super::subject::Subject;
 use crate::relief::{Built as Textures, BuiltPyramid};
 use crate::render::{Gpu, RenderError};
@@ -24,11 +28,20 @@ pub struct Built {
     pub bounds: String,
     /// Bytes to a texel of the map.
     pub bytes: f64,
-    /// Milliseconds by the wall's clock: the middle of several.
-    pub time: f64,
-    /// The same on the device, from the map in the processor's memory until all that shaders read is there, placed heights as
+    /// On all cores.
+    pub host: Times,
+    /// On the device, from the map in the processor's memory until all that shaders read is there, placed heights as
     /// well; `None` without a device, and for what it does not build.
-    pub device: Option<f64>,
+    pub device: Option<Times>,
+}
+
+/// Milliseconds by the wall's clock: the middle of several.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Times {
+    /// For all of it.
+    pub build: f64,
+    /// For what a stroke of 32 by 32 texels in the middle changes.
+    pub update: f64,
 }
 
 /// Every kind of pyramid over a map, and everything that the methods ask for.
@@ -37,56 +50,98 @@ pub struct Built {
 /// Where the map cannot be placed, or the device fails.
 pub fn pyramids(subject: &Subject, rounds: u32, gpu: Option<&Gpu>) -> Result<Vec<Built>, RenderError> {
     let heights = &subject.heights;
+    let stroke = Stroke::new(heights);
     let texels = heights.size().map(f64::from).iter().product::<f64>();
     let mut all = Vec::new();
-    let mut add = |form, bounds: String, (time, bytes): (f64, usize), device| {
+    let mut add = |form, bounds: String, (host, bytes): (Times, usize), device| {
         let (map, side) = (subject.name.clone(), heights.size()[0]);
-        all.push(Built { map, side, form, bounds, bytes: bytes as f64 / texels, time, device });
+        all.push(Built { map, side, form, bounds, bytes: bytes as f64 / texels, host, device });
     };
     for bound in [Bound::TexelMax, Bound::CellMax, Bound::CellMin] {
-        let host = timed(rounds, || Ok(Pyramid::new(heights, bound).bytes()))?;
-        let device = gpu.map(|gpu| pyramid_on(gpu, heights, bound, rounds)).transpose()?;
-        add("pyramid", words(&bound), host, device);
+        let host = times(rounds, &stroke, &|map| Ok(Pyramid::new(map, bound)), &|pyramid, map| {
+            pyramid.update(map, stroke.texels.clone());
+            Ok(())
+        })?;
+        let device = gpu.map(|gpu| pyramid_on(gpu, &stroke, bound, rounds)).transpose()?;
+        add("pyramid", words(&bound), (host.0, host.1.bytes()), device);
     }
     if Wide::new(heights).is_ok() {
-        let host = timed(rounds, || Ok(Wide::new(heights).map_or(0, |wide| wide.bytes())))?;
-        add("pyramid", "wide".into(), host, None);
+        let (host, bytes) = wide(&stroke, rounds)?;
+        add("pyramid", "wide".into(), (host, bytes), None);
     }
     for bounds in placed() {
-        let place = || Placed::new(heights, bounds, 1).map_err(|error| RenderError::Scene(error.to_string()));
-        let host = timed(rounds, || Ok(place()?.bounds.bytes()))?;
-        let device = gpu.map(|gpu| placed_on(gpu, heights, bounds, rounds)).transpose()?;
-        add("placed", words(&bounds), host, device);
+        let place = |map: &Heights| Placed::new(map, bounds, 1).map_err(|error| RenderError::Scene(error.to_string()));
+        let host = times(rounds, &stroke, &place, &|placed, map| {
+            placed.update(map, bounds, &stroke.texels);
+            Ok(())
+        })?;
+        let device = gpu.map(|gpu| placed_on(gpu, &stroke, bounds, rounds)).transpose()?;
+        add("placed", words(&bounds), (host.0, host.1.bounds.bytes()), device);
     }
     Ok(all)
 }
 
-/// Milliseconds that a device takes for a pyramid.
-fn pyramid_on(gpu: &Gpu, heights: &Heights, bound: Bound, rounds: u32) -> Result<f64, RenderError> {
-    let built = BuiltPyramid::new(gpu, heights, bound)?;
-    timed_on(gpu, rounds, || built.update(heights, &whole(heights)))
-}
-
-/// Milliseconds that a device takes for the textures of a method.
-fn placed_on(gpu: &Gpu, heights: &Heights, bounds: Bounds, rounds: u32) -> Result<f64, RenderError> {
-    let textures: Vec<MapTexture> = bounds.surface().into_iter().chain([MapTexture::Bounds(bounds)]).collect();
-    let built = Textures::new(gpu, heights, &textures)?;
-    timed_on(gpu, rounds, || built.update(heights, &whole(heights)))
-}
-
-fn whole(heights: &Heights) -> Region {
-    heights.size().map(|side| 0..side)
-}
-
-/// Milliseconds until a device is done; it has nothing left to do when this begins.
-fn timed_on(gpu: &Gpu, rounds: u32, build: impl Fn() -> Result<(), RenderError>) -> Result<f64, RenderError> {
-    gpu.wait()?;
-    let (time, _) = timed(rounds, || {
-        build()?;
-        gpu.wait()?;
-        Ok(0)
+/// A wide pyramid, with the pyramid that it is packed from.
+fn wide(stroke: &Stroke, rounds: u32) -> Result<(Times, usize), RenderError> {
+    let build = |map: &Heights| {
+        let pyramid = Pyramid::new(map, Bound::CellMax);
+        let wide = Wide::over(&pyramid).map_err(|error| RenderError::Scene(error.to_string()))?;
+        Ok((pyramid, wide))
+    };
+    let (times, (_, wide)) = times(rounds, stroke, &build, &|(pyramid, wide), map| {
+        pyramid.update(map, stroke.texels.clone());
+        wide.update(pyramid, map, &stroke.texels);
+        Ok(())
     })?;
-    Ok(time)
+    Ok((times, wide.bytes()))
+}
+
+/// What a device takes for a pyramid.
+fn pyramid_on(gpu: &Gpu, stroke: &Stroke, bound: Bound, rounds: u32) -> Result<Times, RenderError> {
+    let built = BuiltPyramid::new(gpu, &stroke.maps[0], bound)?;
+    on(gpu, rounds, stroke, &built, |built, map, texels| built.update(map, texels))
+}
+
+/// What a device takes for the textures of a method.
+fn placed_on(gpu: &Gpu, stroke: &Stroke, bounds: Bounds, rounds: u32) -> Result<Times, RenderError> {
+    let textures: Vec<MapTexture> = bounds.surface().into_iter().chain([MapTexture::Bounds(bounds)]).collect();
+    let built = Textures::new(gpu, &stroke.maps[0], &textures)?;
+    on(gpu, rounds, stroke, &built, |built, map, texels| built.update(map, texels))
+}
+
+/// Times what is built, and brought up to date with a stroke that comes and goes.
+fn times<T>(
+    rounds: u32,
+    stroke: &Stroke,
+    build: &dyn Fn(&Heights) -> Result<T, RenderError>,
+    update: &dyn Fn(&mut T, &Heights) -> Result<(), RenderError>,
+) -> Result<(Times, T), RenderError> {
+    let mut built = build(&stroke.maps[0])?;
+    let whole = timed(rounds, |_| {
+        built = build(&stroke.maps[0])?;
+        Ok(())
+    })?;
+    let part = timed(rounds, |round| update(&mut built, &stroke.maps[(round + 1) % 2]))?;
+    Ok((Times { build: whole, update: part }, built))
+}
+
+/// The same until a device is done; it has nothing left to do when this begins.
+fn on<T>(
+    gpu: &Gpu,
+    rounds: u32,
+    stroke: &Stroke,
+    built: &T,
+    update: impl Fn(&T, &Heights, &Region) -> Result<(), RenderError>,
+) -> Result<Times, RenderError> {
+    gpu.wait()?;
+    let until_done = |texels: &Region| {
+        timed(rounds, |round| {
+            update(built, &stroke.maps[(round + 1) % 2], texels)?;
+            gpu.wait()
+        })
+    };
+    let build = until_done(&stroke.maps[0].size().map(|side| 0..side))?;
+    Ok(Times { build, update: until_done(&stroke.texels)? })
 }
 
 /// The bounds of all methods.
@@ -109,41 +164,16 @@ fn words(name: &impl std::fmt::Debug) -> String {
     words
 }
 
-/// Milliseconds that it takes, and what it gives.
-fn timed(rounds: u32, build: impl Fn() -> Result<usize, RenderError>) -> Result<(f64, usize), RenderError> {
-    let mut bytes = 0;
+/// Milliseconds that it takes: the middle of some rounds, which it is told by their numbers.
+fn timed(rounds: u32, mut run: impl FnMut(usize) -> Result<(), RenderError>) -> Result<f64, RenderError> {
     let mut times = Vec::new();
-    for _ in 0..rounds.max(1) {
+    for round in 0..rounds.max(1) as usize {
         let start = Instant::now();
-        bytes = std::hint::black_box(build()?);
+        run(round)?;
         times.push(start.elapsed().as_secs_f64() * 1e3);
     }
     times.sort_by(f64::total_cmp);
-    Ok((times[times.len() / 2], bytes))
-}
-
-/// Comma-separated values with a head line.
-#[must_use]
-pub fn pyramids_csv(all: &[Built]) -> String {
-    let lines = all.iter().map(|one| {
-        let Built { map, side, form, bounds, bytes, time, device } = one;
-        let device = device.map_or_else(String::new, |time| time.to_string());
-        format!("{map},{side},{form},{bounds},{bytes},{time},{device}\n")
-    });
-    std::iter::once("map,side,form,bounds,bytes_per_texel,time_ms,device_ms\n".to_owned()).chain(lines).collect()
-}
-
-/// The same for the eye.
-#[must_use]
-pub fn pyramids_table(all: &[Built]) -> String {
-    let mut text =
-        String::from("map           side  form     bounds             bytes/texel  build ms  on the device\n");
-    for Built { map, side, form, bounds, bytes, time, device } in all {
-        let device = device.map_or_else(|| "-".into(), |time| format!("{time:.2}"));
-        let _ =
-            writeln!(text, "{map:<12} {side:>5}  {form:<7}  {bounds:<17}  {bytes:>11.3}  {time:>8.2}  {device:>13}");
-    }
-    text
+    Ok(times[times.len() / 2])
 }
 
 #[cfg(test)]
@@ -165,7 +195,10 @@ mod tests {
         assert_eq!(bytes("pyramid", "texel_max"), bytes("pyramid", "cell_min"));
         // An image as high again as the map.
         assert_eq!(bytes("placed", "cell_max"), 4.0);
-        assert!(all.iter().all(|one| one.time > 0.0 && one.side == 64 && one.device.is_none()));
+        assert!(
+            all.iter()
+                .all(|one| one.host.build > 0.0 && one.host.update > 0.0 && one.side == 64 && one.device.is_none())
+        );
         assert_eq!(pyramids_csv(&all).lines().count(), all.len() + 1);
         assert_eq!(pyramids_table(&all).lines().count(), all.len() + 1);
     }

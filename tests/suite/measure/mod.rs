@@ -132,7 +132,11 @@ fn pyramids_are_reported() {
     }
     let values = fs::read_to_string(scratch.path("pyramids.csv")).unwrap();
     assert_eq!(values.lines().count(), table.lines().count());
-    assert!(values.starts_with("map,side,form,bounds,bytes_per_texel,time_ms,device_ms\nhills,32,"));
+    assert!(
+        values.starts_with(
+            "map,side,form,bounds,bytes_per_texel,time_ms,update_ms,device_ms,device_update_ms\nhills,32,"
+        )
+    );
     let has_device = Gpu::new(&Selection::Best).is_ok();
     for line in values.lines().skip(1) {
         // The device packs nodes of what is placed alone.
