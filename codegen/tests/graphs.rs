@@ -230,7 +230,7 @@ fn a_terrain_and_its_scene_are_resolved() {
     );
     assert_eq!((terrain.patch, terrain.blend, terrain.occlusion), (64.0, Blend::HeightSoft { band: 0.15 }, 8));
     let relief = terrain.relief.expect("it has one");
-    assert_eq!((terrain.shadow, relief.shadow), (Shadow::Horizon, ReliefShadow::Cone));
+    assert_eq!((terrain.shadow, relief.shadow), (Shadow::Horizon, ReliefShadow::Cone { planes: 1 }));
 
     assert_eq!(
         (relief.method, relief.weights, relief.fade),

@@ -77,18 +77,19 @@ fn displaced_light_hard_on(
     return select(1.0, 0.0, hit.state == RELIEF_HIT);
 }
 
-/// The share of the sun's disc that is seen; `radius` is the tangent of its angular radius.
+/// The share of the sun's disc that is seen; `radius` is the tangent of its angular radius, and the disc is cut by `planes`, 1 or more.
 fn displaced_light_disc(
     layer: DisplacedLayer,
     ray: DisplacedRay,
     radius: f32,
+    planes: u32,
     heights: texture_2d_array<u32>,
     bounds: texture_2d_array<u32>,
 ) -> f32 {
     var seen = 0.0;
     for (var coarser = 0i; coarser < displaced_mips(layer); coarser++) {
         let mip = i32(layer.level) + coarser;
-        seen += displaced_part(layer, coarser) * displaced_light_disc_on(layer, ray, radius, mip, heights, bounds);
+        seen += displaced_part(layer, coarser) * displaced_light_disc_on(layer, ray, radius, planes, mip, heights, bounds);
     }
     return seen;
 }
@@ -98,6 +99,7 @@ fn displaced_light_disc_on(
     layer: DisplacedLayer,
     ray: DisplacedRay,
     radius: f32,
+    planes: u32,
     mip: i32,
     heights: texture_2d_array<u32>,
     bounds: texture_2d_array<u32>,
@@ -105,7 +107,7 @@ fn displaced_light_disc_on(
     let sight = displaced_light_ray(layer, ray.origin, ray.direction, mip, heights);
     let sent = ReliefRay(sight.ray.cell, sight.ray.origin, sight.ray.direction, DISPLACED_LONGEST);
     let seen = shadow_cone_share(
-        heights, bounds, sight.field, sent, sight.own, sight.steps, radius, DISPLACED_STEPS, 1u, 1.0,
+        heights, bounds, sight.field, sent, sight.own, sight.steps, radius, DISPLACED_STEPS, planes, 1.0,
     );
     return seen.share;
 }

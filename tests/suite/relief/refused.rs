@@ -27,12 +27,17 @@ fn surface(coordinates: &str) -> String {
 
 /// Builds a terrain with one surface of this name.
 fn build(name: &str, coordinates: &str) -> (Scratch, Output) {
+    build_in_light(name, coordinates, "hard")
+}
+
+/// The same with this shadow of the relief.
+fn build_in_light(name: &str, coordinates: &str, shadow: &str) -> (Scratch, Output) {
     let scratch = Scratch::of(".");
     let write = |folder: &str, text: &str| {
         fs::write(scratch.path(&format!("graphs/{folder}/{name}.ron")), text).expect("a writable folder");
     };
     write("surfaces", &surface(coordinates));
-    write("terrains", &TERRAIN.replace("NAME", name));
+    write("terrains", &TERRAIN.replace("NAME", name).replace("hard", shadow));
     let output = scratch.run(&["build", &format!("graphs/terrains/{name}.ron"), "-o", "out", "--no-textures"]);
     (scratch, output)
 }
@@ -46,6 +51,27 @@ fn a_surface_may_have_a_name_that_the_generator_uses_itself() {
         assert!(output.status.success(), "{name}: {}", String::from_utf8_lossy(&output.stderr));
         let core = fs::read_to_string(scratch.path(&format!("out/{name}.core.wgsl"))).expect("it was written");
         assert!(core.contains(&format!("{name}_relief: ")), "{core}");
+    }
+}
+
+#[test]
+fn a_soft_shadow_has_as_many_planes_as_are_asked_for() {
+    for (shadow, planes) in [("cone", 1), ("cone(planes: 7)", 7)] {
+        let (scratch, output) = build_in_light("lit", STRAIGHT, shadow);
+        assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+        let core = fs::read_to_string(scratch.path("out/lit.core.wgsl")).expect("it was written");
+        assert!(core.contains(&format!("displaced_light_disc(relief.lit_relief, ray, radius, {planes}u,")), "{core}");
+    }
+    let refused = [
+        ("cone(planes: 0)", "range is 1..16"),
+        ("cone(plane: 7)", "planes"),
+        ("cone(7)", "without a name"),
+        ("soft", "`off`, `hard`"),
+    ];
+    for (shadow, why) in refused {
+        let (_, output) = build_in_light("lit", STRAIGHT, shadow);
+        let said = String::from_utf8_lossy(&output.stderr);
+        assert!(!output.status.success() && said.contains("lit.ron:6:") && said.contains(why), "{shadow}: {said}");
     }
 }
 

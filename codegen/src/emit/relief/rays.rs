@@ -148,14 +148,16 @@ impl Writer<'_> {
     fn shadow(&mut self) {
         let each = match self.relief.trace.shadow {
             ReliefShadow::Off => return,
-            ReliefShadow::Hard => "share = min(share, displaced_light_hard(LAYER, ray, MAPS));",
-            ReliefShadow::Cone => "share = min(share, displaced_light_disc(LAYER, ray, radius, MAPS));",
+            ReliefShadow::Hard => "share = min(share, displaced_light_hard(LAYER, ray, MAPS));".to_owned(),
+            ReliefShadow::Cone { planes } => {
+                format!("share = min(share, displaced_light_disc(LAYER, ray, radius, {planes}u, MAPS));")
+            }
         };
         self.over_layers(&OverLayers {
             doc: "/// How much of a disc the displaced ground leaves visible; `radius` is the tangent of its angular radius.",
             head: "fn terrane_relief_shadow(ray: DisplacedRay, radius: f32, RELIEF) -> f32",
             begin: "var share = 1.0f;",
-            each,
+            each: &each,
             maps: &MapTexture::LIGHT,
             end: "return share;",
         });

@@ -12,10 +12,28 @@ pub(super) fn shadow(field: Field<'_>, findings: &mut Vec<Diagnostic>) -> (Shado
     };
     let choices = [("off", Shadow::Off), ("horizon", Shadow::Horizon)];
     let terrain = fields.take("terrain").and_then(|field| field.choice(&choices, findings));
-    let choices = [("off", ReliefShadow::Off), ("hard", ReliefShadow::Hard), ("cone", ReliefShadow::Cone)];
-    let relief = fields.take("relief").and_then(|field| field.choice(&choices, findings));
+    let relief = fields.take("relief").and_then(|field| relief_shadow(field, findings));
     fields.close(findings);
     (terrain.unwrap_or(Shadow::Horizon), relief.unwrap_or(ReliefShadow::Off))
+}
+
+/// `off`, `hard`, `cone` or `cone(planes: 7)`
+fn relief_shadow(field: Field<'_>, findings: &mut Vec<Diagnostic>) -> Option<ReliefShadow> {
+    let mut call = call(field, "`cone`", findings)?;
+    let shadow = match call.name.name.as_str() {
+        "off" => Some(ReliefShadow::Off),
+        "hard" => Some(ReliefShadow::Hard),
+        "cone" => {
+            let planes = call.fields.take("planes").map_or(Some(1), |field| field.whole(1, 16, findings));
+            planes.map(|planes| ReliefShadow::Cone { planes })
+        }
+        other => {
+            findings.push(field.unknown_choice(other, &["off", "hard", "cone"]));
+            return None;
+        }
+    };
+    call.close(findings);
+    shadow
 }
 
 /// `occlusion: directions(8)` of the terrain alone, or `(terrain: …, relief: …)`: directions where they are given.

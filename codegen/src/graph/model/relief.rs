@@ -73,7 +73,10 @@ pub enum ReliefShadow {
     /// A ray to the middle of the sun.
     Hard,
     /// A cone: the further the blocker, the softer.
-    Cone,
+    Cone {
+        /// Vertical planes in which the sun's disc is cut, 1..=16: more than one tells blockers apart that are narrower than it.
+        planes: u32,
+    },
 }
 
 impl ReliefTrace {
@@ -82,7 +85,7 @@ impl ReliefTrace {
         method: ReliefMethod::Auto { max_error: 0.5 },
         weights: ReliefWeights::Entry,
         fade: (1e6, 2e6),
-        shadow: ReliefShadow::Cone,
+        shadow: ReliefShadow::Cone { planes: 1 },
         occlusion: 4,
     };
 }
