@@ -58,7 +58,7 @@ pub(crate) struct Measure {
     /// Recommend what no hit is farther off, for the least time
     #[arg(long, value_name = "TEXELS", value_parser = max_error, conflicts_with = "pyramids")]
     max_error: Option<f64>,
-    /// Report bytes and build times of bounds instead, on all cores and on the device if there is one
+    /// Report bytes of bounds instead, and times to build them and to bring them up to date, on all cores and on the device if there is one
     #[arg(long, conflicts_with_all = ["methods", "depths", "elevations", "size"])]
     pyramids: bool,
     /// Comma-separated values with every digit, to this file, and plots beside it
