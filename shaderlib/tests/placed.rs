@@ -20,17 +20,24 @@ fn rectangles([width, height]: [u32; 2], random: &mut Random) -> Vec<Region> {
     corners.into_iter().chain(borders).chain([inside, [0..width, 0..height], [0..0, 0..height]]).collect()
 }
 
-/// The map with the texels of a rectangle from another of its size.
-fn patched(heights: &Heights, other: &Heights, [columns, rows]: &Region) -> Heights {
-    let (Texels::U16(values), Texels::U16(others)) = (heights.texels(), other.texels()) else { panic!("16-bit maps") };
-    let mut values = values.clone();
-    for y in rows.clone() {
-        for x in columns.clone() {
-            let at = (y * heights.size()[0] + x) as usize;
-            values[at] = others[at];
-        }
+/// The map with the texels of a rectangle from another of its size and kind.
+fn patched(heights: &Heights, other: &Heights, rectangle: &Region) -> Heights {
+    let width = heights.size()[0];
+    let texels = match (heights.texels(), other.texels()) {
+        (Texels::U8(values), Texels::U8(others)) => Texels::U8(mixed(values, others, width, rectangle)),
+        (Texels::U16(values), Texels::U16(others)) => Texels::U16(mixed(values, others, width, rectangle)),
+        _ => panic!("maps of steps"),
+    };
+    Heights::new(heights.size(), heights.border(), texels).expect("the size of a map")
+}
+
+fn mixed<T: Copy>(values: &[T], others: &[T], width: u32, [columns, rows]: &Region) -> Vec<T> {
+    let mut values = values.to_vec();
+    for (x, y) in rows.clone().flat_map(|y| columns.clone().map(move |x| (x, y))) {
+        let at = (y * width + x) as usize;
+        values[at] = others[at];
     }
-    Heights::new(heights.size(), heights.border(), Texels::U16(values)).expect("the size of a map")
+    values
 }
 
 /// Rectangles that become those of another map, one after the other.
@@ -57,30 +64,56 @@ fn an_updated_part_equals_the_whole_placed_anew() {
         let far = !matches!(bounds, Bounds::CellMax | Bounds::TexelMax | Bounds::Patches);
         let sizes = SIZES.into_iter().step_by(if far { 3 } else { 1 });
         for (index, size) in sizes.chain(far.then_some([[128, 64], [70, 129]]).into_iter().flatten()).enumerate() {
-            let mut make = |land: usize| {
-                map(LANDS[land % LANDS.len()], size, border, Depth::Sixteen, random.bits()).expect("a map")
-            };
+            let depth = if index % 3 == 1 { Depth::Eight } else { Depth::Sixteen };
+            let mut make =
+                |land: usize| map(LANDS[land % LANDS.len()], size, border, depth, random.bits()).expect("a map");
             let (heights, other) = (make(index), make(index + 6));
             update_again_and_again(heights, &other, bounds, &mut random);
         }
     }
 }
 
-/// What alone narrows all cones, farther away than what is found again with it, comes and goes.
+/// What alone narrows all cones, farther away than what is found again with it, comes and goes: within a map, at a seam of tiles, at
+/// the end of a map, and where coarse nodes have more than one part.
 #[test]
 fn a_peak_on_a_plain_comes_and_goes() {
-    for (border, kind) in [Border::Wrap, Border::Clamp].into_iter().flat_map(|border| [1, 0].map(|kind| (border, kind)))
-    {
-        let size = [256, 128];
-        let flat = Heights::new(size, border, Texels::U16(vec![7; 256 * 128])).expect("a map");
-        let peak = Heights::new(size, border, Texels::U16(vec![50_000; 256 * 128])).expect("a map");
-        let at = [200..201, 40..41];
-        let with = patched(&flat, &peak, &at);
-        let [before, after] = if kind == 0 { [&flat, &with] } else { [&with, &flat] };
-        for bounds in [Bounds::Cells, Bounds::Quadrants, Bounds::Cones(Cones::Robust), Bounds::Cones(Cones::Step)] {
+    let all = [
+        Bounds::Cells,
+        Bounds::Quadrants,
+        Bounds::Cones(Cones::Robust),
+        Bounds::Cones(Cones::Step),
+        Bounds::Cones(Cones::Relaxed),
+        Bounds::Cones(Cones::Quadrant(2)),
+    ];
+    let places = [
+        (Border::Wrap, [256, 128], [200, 40], &all[..]),
+        (Border::Clamp, [256, 128], [200, 40], &all),
+        (Border::Wrap, [200, 100], [0, 0], &all),
+        (Border::Clamp, [200, 100], [199, 99], &all),
+        (Border::Wrap, [1024, 32], [0, 3], &all[..1]),
+        (Border::Clamp, [1000, 32], [900, 31], &all[..1]),
+    ];
+    for (border, size, at, bounds) in places {
+        let plain = |height: u16| {
+            Heights::new(size, border, Texels::U16(vec![height; (size[0] * size[1]) as usize])).expect("a map")
+        };
+        let at = at.map(|at| at..at + 1);
+        let (flat, peak) = (plain(7), patched(&plain(7), &plain(50_000), &at));
+        for (bounds, [before, after]) in
+            bounds.iter().flat_map(|bounds| [[&flat, &peak], [&peak, &flat]].map(|maps| (*bounds, maps)))
+        {
             let mut placed = Placed::new(before, bounds, 9).expect("whole steps");
             placed.update(after, bounds, &at);
-            assert!(placed == Placed::new(after, bounds, 9).expect("whole steps"), "{bounds:?} {border:?} {kind}");
+            let anew = Placed::new(after, bounds, 9).expect("whole steps");
+            assert!(placed == anew, "{bounds:?} {border:?} {size:?} {at:?}");
         }
     }
+}
+
+#[test]
+#[should_panic(expected = "other bounds")]
+fn a_map_is_updated_with_the_bounds_that_it_has() {
+    let heights = Heights::new([4, 4], Border::Wrap, Texels::U16(vec![0; 16])).expect("a map");
+    let mut placed = Placed::new(&heights, Bounds::CellMax, 9).expect("whole steps");
+    placed.update(&heights, Bounds::Cells, &[0..1, 0..1]);
 }

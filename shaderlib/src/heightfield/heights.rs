@@ -123,7 +123,7 @@ impl Heights {
             Border::Wrap => at.rem_euclid(i64::from(side)) as usize,
             Border::Clamp => at.clamp(0, i64::from(side) - 1) as usize,
         });
-        self.texels.height(y * self.size[0] as usize + x)
+        self.texel([x, y])
     }
 
     /// The height of a texel of the map.

@@ -4,6 +4,9 @@
 //! of nodes, each as high as the highest node that meets there. Between four corners that map lies nowhere below the node, so
 //! what is free above it is free of the surface.
 
+use std::ops::Range;
+
+use super::dirty::{Region, cross, halved};
 use super::mips::Mip;
 use super::patches;
 use crate::heightfield::pyramid::Bound;
@@ -58,12 +61,23 @@ pub(super) fn heights(mip: &Mip, border: Border) -> Heights {
     Heights::new(size, border, Texels::U16(texels.collect())).expect("fewer texels than the map")
 }
 
+/// The texels of the coarse map, of which it has so many columns and rows, that are corners of the nodes over some cells.
+pub(super) fn texels(cells: &[Region], size: [u32; 2], border: Border) -> Vec<Region> {
+    let nodes = (0..COARSE).fold(cells.to_vec(), |cells, _| halved(&cells));
+    let along = |axis: usize, nodes: &Range<u32>| {
+        let is_seam = border == Border::Wrap && nodes.end == size[axis];
+        let first = is_seam.then_some(0..1);
+        std::iter::once(nodes.start..(nodes.end + 1).min(size[axis])).chain(first).collect::<Vec<_>>()
+    };
+    nodes.iter().flat_map(|[columns, rows]| cross([along(0, columns), along(1, rows)])).collect()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::heightfield::adversary::{Depth, LANDS, map};
     use crate::heightfield::cones::SLOPE;
-    use crate::relief::{Bounds, MapTexture, Placed};
+    use crate::relief::{Bounds, Extent, MapTexture, Placed};
 
     /// How far a texel is from what lies between two others, one way, the map repeated where it wraps; nothing where it lies the
     /// other way.
@@ -110,6 +124,30 @@ mod tests {
                     }
                 }
             }
+        }
+    }
+
+    /// Of every texel that changes, all texels of the coarse map that change with it are told.
+    #[test]
+    fn what_depends_on_a_texel_is_told() {
+        for (border, at) in [Border::Wrap, Border::Clamp].into_iter().flat_map(|border| {
+            texels([32, 16]).filter(|[x, y]| x % 7 < 2 && y % 7 < 2 || x % 31 == 0).map(move |at| (border, at))
+        }) {
+            let mip = |height| {
+                let mut texels = vec![0; 32 * 16];
+                texels[(at[1] * 32 + at[0]) as usize] = height;
+                Mip { size: [32, 16], texels }
+            };
+            let flat = Heights::new([32, 16], border, Texels::U16(vec![0; 32 * 16])).unwrap();
+            let cells = Extent::new(&flat).cells(0, &[at.map(|at| at..at + 1)]);
+            let [before, after] = [0, 9].map(|height| heights(&mip(height), border));
+            let told = super::texels(&cells, after.size(), border);
+            let is_told = |at: [u32; 2]| told.iter().any(|texels| (0..2).all(|axis| texels[axis].contains(&at[axis])));
+            for [x, y] in texels(after.size()) {
+                let is_other = before.height(x.into(), y.into()) != after.height(x.into(), y.into());
+                assert!(!is_other || is_told([x, y]), "{border:?} {at:?}: {x} {y} of {told:?}");
+            }
+            assert!(told.iter().flatten().all(|range| range.len() <= 3), "{border:?} {at:?}: {told:?}");
         }
     }
 

@@ -118,7 +118,8 @@ pub fn halved(regions: &[Region]) -> Vec<Region> {
     distinct(regions.iter().map(|[x, y]| [half(x), half(y)]))
 }
 
-fn cross([columns, rows]: [Vec<Range<u32>>; 2]) -> Vec<Region> {
+/// All pairs of columns and rows.
+pub(super) fn cross([columns, rows]: [Vec<Range<u32>>; 2]) -> Vec<Region> {
     columns.iter().flat_map(|x| rows.iter().map(move |y| [x.clone(), y.clone()])).collect()
 }
 

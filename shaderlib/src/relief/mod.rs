@@ -4,6 +4,7 @@
 //! level where a shift of its cells finds it (see [`Field::corner`]).
 
 mod atlas;
+mod changed;
 mod coarse;
 mod cones;
 mod dirty;

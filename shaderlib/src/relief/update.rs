@@ -1,6 +1,7 @@
 //! A placed map after a part of it has changed.
 
-use super::cones::update::{self as cones, Change};
+use super::changed::Changed;
+use super::cones::update as cones;
 use super::dirty::{Extent, Region, halved};
 use super::mips::{self, Mip};
 use super::{Bounds, Placed, Words, atlas, patches};
@@ -12,28 +13,42 @@ impl Placed {
     /// were placed anew. `bounds` are those that it was placed with. Wide ones alone are packed anew.
     ///
     /// # Panics
-    /// If the map has another size than that which was placed, or is one of floats.
+    /// If the map has another size than that which was placed, is one of floats, or was placed with bounds of other texels.
     pub fn update(&mut self, heights: &Heights, bounds: Bounds, texels: &Region) {
         if texels.iter().any(std::ops::Range::is_empty) {
             return;
         }
         let extent = Extent::new(heights);
-        assert_eq!(self.fields[0].last, extent.last.map(|last| last as i32), "a map of another size");
+        let placed = (self.fields[0].last, self.tiled);
+        assert_eq!(placed, (extent.last.map(|last| last as i32), extent.is_tiled()), "a map of another size");
+        assert!(self.holds(bounds), "a map placed with other bounds than {bounds:?}");
         if bounds == Bounds::Wide {
             *self = Self::new(heights, bounds, self.fields[0].limit).expect("a map of floats where steps are placed");
             return;
         }
-        let before = self.take_mips(&extent);
-        let mut after = before.clone();
+        let mut after = self.take_mips(&extent);
+        let has_cones = matches!(bounds, Bounds::Cones(_) | Bounds::Quadrants | Bounds::Cells);
+        let before = if has_cones { after.clone() } else { Vec::new() };
         let texels = change(&mut after, heights, &extent, texels);
-        self.update_bounds(
-            bounds,
-            &Change { heights, extent: &extent, before: &before, after: &after, texels: &texels },
-        );
+        let changed = Changed { heights, extent: &extent, before: &before, after: &after, texels: &texels };
+        self.update_bounds(bounds, &changed);
         self.range = range(&after[0].texels);
         match &mut self.heights.words {
             Words::Rg32(images) => all_patches(&mut images[0], &after, &extent, &texels),
             words => *words = Words::R16(after.into_iter().map(|mip| mip.texels).collect()),
+        }
+    }
+
+    /// Whether it can have been placed with some bounds: those of texels and of cells look alike.
+    fn holds(&self, bounds: Bounds) -> bool {
+        let is_none = self.bounds.size == [1, 1];
+        match bounds {
+            Bounds::None => is_none,
+            Bounds::CellMax | Bounds::TexelMax => matches!(self.bounds.words, Words::R16(_)) && !is_none,
+            Bounds::Patches => matches!(self.bounds.words, Words::R32(_)),
+            Bounds::Cones(_) => matches!(self.bounds.words, Words::Rg16(_)),
+            Bounds::Quadrants => matches!(self.bounds.words, Words::Rg32(_)),
+            Bounds::Cells | Bounds::Wide => matches!(self.bounds.words, Words::Rgba32(_)),
         }
     }
 
@@ -50,7 +65,7 @@ impl Placed {
         }
     }
 
-    fn update_bounds(&mut self, bounds: Bounds, change: &Change<'_>) {
+    fn update_bounds(&mut self, bounds: Bounds, change: &Changed<'_>) {
         match (bounds, &mut self.bounds.words) {
             (Bounds::CellMax, Words::R16(images)) => quadtrees(&mut images[0], Bound::CellMax, change),
             (Bounds::TexelMax, Words::R16(images)) => quadtrees(&mut images[0], Bound::TexelMax, change),
@@ -58,12 +73,13 @@ impl Placed {
             (Bounds::Cones(kind), Words::Rg16(images)) => cones::plane(images, kind, change),
             (Bounds::Quadrants, Words::Rg32(images)) => cones::quadrants(images, change),
             (Bounds::Cells, Words::Rgba32(image)) => cones::cells(image, change),
-            _ => assert_eq!(bounds, Bounds::None, "a map placed with other bounds"),
+            // None: what it holds has been asked.
+            _ => (),
         }
     }
 }
 
-/// Brings mips up to date, and tells which of their texels are others.
+/// Brings mips up to date, and tells which of their texels may be others.
 fn change(all: &mut [Mip], heights: &Heights, extent: &Extent, texels: &Region) -> Vec<Vec<Region>> {
     let mut changed = vec![extent.texels(texels)];
     changed[0].iter().for_each(|region| source(heights, extent, &mut all[0], region));
@@ -93,7 +109,7 @@ fn source(heights: &Heights, extent: &Extent, mip: &mut Mip, [columns, rows]: &R
     }
 }
 
-fn quadtrees<T: Copy + Ord + From<u16>>(image: &mut [T], bound: Bound, change: &Change<'_>) {
+fn quadtrees<T: Copy + Ord + From<u16>>(image: &mut [T], bound: Bound, change: &Changed<'_>) {
     for ((index, mip), texels) in (0..).zip(change.after).zip(change.texels) {
         let nodes = if bound == Bound::TexelMax { texels.clone() } else { change.extent.cells(index, texels) };
         atlas::update(image, change.extent.filled, (index, mip), bound, nodes);

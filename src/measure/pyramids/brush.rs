@@ -17,7 +17,6 @@ impl Stroke {
     pub(super) fn new(heights: &Heights) -> Self {
         let size = heights.size();
         let texels = size.map(|side| side.saturating_sub(ACROSS) / 2..side.div_ceil(2) + side.min(ACROSS) / 2);
-        let texels = [0, 1].map(|axis| texels[axis].start..texels[axis].end.min(size[axis]));
         let raised = match heights.texels() {
             Texels::U8(values) => {
                 Texels::U8(heaped(values, size, |value, share| value.saturating_add((8.0 * share) as u8)))

@@ -78,7 +78,8 @@ impl<'a> Built<'a> {
     }
 
     /// Brings what depends on a rectangle of changed texels up to date: columns and rows inside the map. Cones are built anew,
-    /// whatever has changed: one texel may be the steepest that any of them sees.
+    /// whatever has changed: one texel may be the steepest that any of them sees, and which ones it is passes do not ask, as
+    /// [`ConeMap::update`](terrane_shaderlib::heightfield::cones::ConeMap::update) does.
     ///
     /// # Errors
     /// Those of [`Self::new`].

@@ -56,7 +56,7 @@ fn a_surface_may_have_a_name_that_the_generator_uses_itself() {
 
 #[test]
 fn a_soft_shadow_has_as_many_planes_as_are_asked_for() {
-    for (shadow, planes) in [("cone", 1), ("cone(planes: 7)", 7)] {
+    for (shadow, planes) in [("cone", 1), ("cone(planes: 7)", 7), ("cone(planes: 16)", 16)] {
         let (scratch, output) = build_in_light("lit", STRAIGHT, shadow);
         assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
         let core = fs::read_to_string(scratch.path("out/lit.core.wgsl")).expect("it was written");
@@ -64,7 +64,9 @@ fn a_soft_shadow_has_as_many_planes_as_are_asked_for() {
     }
     let refused = [
         ("cone(planes: 0)", "range is 1..16"),
+        ("cone(planes: 17)", "range is 1..16"),
         ("cone(plane: 7)", "planes"),
+        ("hard(planes: 7)", "`relief` has no"),
         ("cone(7)", "without a name"),
         ("soft", "`off`, `hard`"),
     ];

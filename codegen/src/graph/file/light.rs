@@ -19,7 +19,7 @@ pub(super) fn shadow(field: Field<'_>, findings: &mut Vec<Diagnostic>) -> (Shado
 
 /// `off`, `hard`, `cone` or `cone(planes: 7)`
 fn relief_shadow(field: Field<'_>, findings: &mut Vec<Diagnostic>) -> Option<ReliefShadow> {
-    let mut call = call(field, "`cone`", findings)?;
+    let mut call = call(field, "`relief`", findings)?;
     let shadow = match call.name.name.as_str() {
         "off" => Some(ReliefShadow::Off),
         "hard" => Some(ReliefShadow::Hard),

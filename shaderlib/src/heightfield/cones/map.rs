@@ -77,9 +77,10 @@ impl ConeMap {
     /// from there as the cone: near by, and where nothing else is steeper.
     ///
     /// # Panics
-    /// If the maps differ in size, border or kind of texels, or were not those of this one.
+    /// If the maps differ in size, border or kind of texels, or have not the size of this one.
     pub fn update(&mut self, before: &Heights, after: &Heights, texels: &[Range<u32>; 2]) {
-        assert_eq!((before.size(), before.border()), (self.size, after.border()), "cones of another map");
+        let kind = |map: &Heights| (map.size(), map.border(), std::mem::discriminant(map.texels()));
+        assert_eq!((before.size(), kind(before)), (self.size, kind(after)), "cones of another map");
         if texels.iter().any(Range::is_empty) {
             return;
         }

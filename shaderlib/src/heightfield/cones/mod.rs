@@ -19,7 +19,7 @@ mod square;
 mod stored;
 mod windows;
 
-pub(crate) use change::changed;
+pub(crate) use change::{changed, tip};
 pub use code::Format;
 pub use map::{ConeMap, Cones};
 pub(crate) use part::{Part, standing};

@@ -19,7 +19,8 @@ use super::windows::{Windows, larger, steepen};
 use crate::heightfield::pyramid::{Level, maxima};
 use crate::heightfield::{Border, Heights};
 
-/// Cells along a part, or any multiple of it: nodes of any size are whole in it, or hold all of it.
+/// Cells along a part that does not reach from border to border: nodes of any size are whole in it, or hold all of it, as it begins
+/// at a multiple of this.
 pub(super) const SIDE: usize = 64;
 
 /// The codes of all cones over the cells of some parts. `done` is told of each part that is.

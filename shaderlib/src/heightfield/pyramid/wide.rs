@@ -40,7 +40,11 @@ impl Wide {
     ///
     /// # Errors
     /// For one over a map of floats.
+    ///
+    /// # Panics
+    /// If it bounds something else.
     pub fn over(cells: &Pyramid) -> Result<Self, FloatHeights> {
+        assert_eq!(cells.bound, Bound::CellMax, "wide nodes hold the largest heights of cells");
         match cells.levels() {
             Levels::U8(levels) => Ok(Self::pack(levels, 0)),
             Levels::U16(levels) => Ok(Self::pack(levels, u16::BITS - BASE)),
@@ -71,10 +75,10 @@ impl Wide {
             return;
         }
         for region in Bound::CellMax.touched(heights, texels.clone()) {
-            match cells.levels() {
-                Levels::U8(levels) => self.repack(levels, region),
-                Levels::U16(levels) => self.repack(levels, region),
-                Levels::F32(_) => panic!("a wide pyramid over another kind of texels"),
+            match (cells.levels(), self.unit) {
+                (Levels::U8(levels), 0) => self.repack(levels, region),
+                (Levels::U16(levels), 1..) => self.repack(levels, region),
+                _ => panic!("a wide pyramid over another kind of texels"),
             }
         }
     }

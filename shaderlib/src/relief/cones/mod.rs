@@ -8,7 +8,7 @@ use super::dirty::Extent;
 use super::mips::Mip;
 use super::plane::{Plane, Words};
 use super::{coarse, patches};
-use crate::heightfield::cones::{ConeMap, Cones};
+use crate::heightfield::cones::{self, ConeMap, Cones, standing};
 use crate::heightfield::{Border, Heights, Texels};
 
 /// Told, from any thread, how much of some cones is done and how much there is of them.
@@ -99,14 +99,8 @@ fn twelve(code: u16) -> u32 {
     ((u32::from(code) + 15) >> 4).min(0xfff)
 }
 
-/// How high the tip of a cone is: at most 65535, as the heights are.
-fn tip(heights: &Heights, cones: Cones, [x, y]: [u32; 2]) -> u16 {
-    match cones {
-        Cones::Step | Cones::Relaxed => heights.height(x.into(), y.into()) as u16,
-        Cones::Robust | Cones::Quadrant(_) => {
-            let [columns, rows] = heights.cells();
-            let corners = heights.corners(x.min(columns - 1).into(), y.min(rows - 1).into());
-            corners.into_iter().fold(0.0, f64::max) as u16
-        }
-    }
+/// How high the tip of the cone at a texel is: at most 65535, as the heights are. Behind the last cone it is that again.
+fn tip(heights: &Heights, cones: Cones, texel: [u32; 2]) -> u16 {
+    let standing = standing(heights, cones);
+    cones::tip(heights, cones, [0, 1].map(|axis| (texel[axis] as usize).min(standing[axis] - 1))) as u16
 }

@@ -1,20 +1,11 @@
 //! Cones and their tips after a part of a map has changed.
 
-use super::super::dirty::{Extent, Region};
-use super::super::mips::Mip;
+use super::super::changed::Changed;
+use super::super::dirty::Region;
 use super::super::{coarse, patches};
 use super::{own, tip, twelve};
+use crate::heightfield::Heights;
 use crate::heightfield::cones::{Cones, Part, Stored, changed, standing};
-use crate::heightfield::{Heights, Texels};
-
-/// The mips of a map before a change and after it, and which of their texels are others.
-pub(in crate::relief) struct Change<'a> {
-    pub(in crate::relief) heights: &'a Heights,
-    pub(in crate::relief) extent: &'a Extent,
-    pub(in crate::relief) before: &'a [Mip],
-    pub(in crate::relief) after: &'a [Mip],
-    pub(in crate::relief) texels: &'a [Vec<Region>],
-}
 
 /// What cones of a map stand on, before and after.
 struct Ground {
@@ -29,45 +20,44 @@ struct View {
     size: [u32; 2],
 }
 
-impl Change<'_> {
-    fn ground(&self, mip: usize) -> Ground {
-        let maps = [&self.before[mip], &self.after[mip]].map(|mip| own(self.heights, mip));
+impl Ground {
+    fn of(change: &Changed<'_>, mip: usize) -> Self {
+        let maps = [&change.before[mip], &change.after[mip]].map(|mip| own(change.heights, mip));
         // What a map that ends is filled with is none of its own.
         let size = maps[1].size();
         let inside = |texels: &Region| [0, 1].map(|axis| texels[axis].start..texels[axis].end.min(size[axis]));
-        let texels = self.texels[mip].iter().map(inside).filter(|texels| texels.iter().all(|range| !range.is_empty()));
-        Ground { texels: texels.collect(), maps }
+        let texels =
+            change.texels[mip].iter().map(inside).filter(|texels| texels.iter().all(|range| !range.is_empty()));
+        Self { texels: texels.collect(), maps }
     }
 
-    /// Coarse nodes are held against each other: few texels of theirs are others, wherever they are.
-    fn coarse_ground(&self, mip: usize) -> Ground {
-        let border = self.heights.border();
-        let maps = [&self.before[mip], &self.after[mip]].map(|mip| coarse::heights(mip, border));
-        Ground { texels: difference(&maps).into_iter().collect(), maps }
+    /// Of coarse nodes.
+    fn coarse(change: &Changed<'_>, mip: usize) -> Self {
+        let border = change.heights.border();
+        let maps = [&change.before[mip], &change.after[mip]].map(|mip| coarse::heights(mip, border));
+        let cells = change.extent.cells(mip as u32, &change.texels[mip]);
+        Self { texels: coarse::texels(&cells, maps[1].size(), border), maps }
     }
-}
 
-/// The rectangle of all texels in which two maps differ.
-fn difference(maps: &[Heights; 2]) -> Option<Region> {
-    let [before, after] = maps.each_ref().map(|map| match map.texels() {
-        Texels::U16(values) => values,
-        _ => unreachable!("coarse maps have 16 bits"),
-    });
-    let width = maps[0].size()[0];
-    let others = before.iter().zip(after).zip(0u32..).filter(|((before, after), _)| before != after);
-    others.map(|(_, at)| [at % width, at / width]).fold(None, |region: Option<Region>, [x, y]| {
-        let [columns, rows] = region.unwrap_or([x..x + 1, y..y + 1]);
-        Some([columns.start.min(x)..columns.end.max(x + 1), rows.start.min(y)..rows.end.max(y + 1)])
-    })
+    fn changed(
+        &self,
+        stored: &Stored,
+        is_reached: &(impl Fn([usize; 2], u16) -> bool + Sync),
+    ) -> Vec<(Part, Vec<u16>)> {
+        if self.texels.is_empty() {
+            return Vec::new();
+        }
+        changed(stored, (&self.maps[0], &self.maps[1]), &self.texels, is_reached)
+    }
 }
 
 /// Brings the tips and codes of one kind of cones up to date.
-pub(in crate::relief) fn plane(images: &mut [Vec<[u16; 2]>], cones: Cones, change: &Change<'_>) {
+pub(in crate::relief) fn plane(images: &mut [Vec<[u16; 2]>], cones: Cones, change: &Changed<'_>) {
     let stored = Stored { cones, unit: 1.0 };
     for (mip, image) in images.iter_mut().enumerate() {
         let view = View::of(change.after[mip].size);
         let reached = |at, code| stored.is_as_steep(code, image[view.at(at)][1]);
-        let ground = change.ground(mip);
+        let ground = Ground::of(change, mip);
         for (part, codes) in ground.changed(&stored, &reached) {
             view.each(&part, standing(&ground.maps[1], cones), &codes, |at, cell, code| {
                 image[at] = [tip(&ground.maps[1], cones, cell), code];
@@ -77,21 +67,21 @@ pub(in crate::relief) fn plane(images: &mut [Vec<[u16; 2]>], cones: Cones, chang
 }
 
 /// The same for the cones of the four quadrants.
-pub(in crate::relief) fn quadrants(images: &mut [Vec<[u32; 2]>], change: &Change<'_>) {
+pub(in crate::relief) fn quadrants(images: &mut [Vec<[u32; 2]>], change: &Changed<'_>) {
     for (mip, image) in images.iter_mut().enumerate() {
-        toward_all(image, &View::of(change.after[mip].size), &change.ground(mip));
+        toward_all(image, &View::of(change.after[mip].size), &Ground::of(change, mip));
     }
 }
 
 /// The same where patches are beside them, and coarse nodes under them.
-pub(in crate::relief) fn cells(image: &mut [[u32; 4]], change: &Change<'_>) {
+pub(in crate::relief) fn cells(image: &mut [[u32; 4]], change: &Changed<'_>) {
     let map = change.extent.filled;
     let view = |corner: [u32; 2], size| View { row: map[0] as usize, corner: corner.map(|at| at as usize), size };
     for (mip, after) in change.after.iter().enumerate() {
         let corner = change.extent.patches(mip as u32);
-        toward_all(image, &view(corner, after.size), &change.ground(mip));
+        toward_all(image, &view(corner, after.size), &Ground::of(change, mip));
         if let Some(corner) = change.extent.coarse(mip as u32) {
-            toward_all(image, &view(corner, coarse::nodes(after.size)), &change.coarse_ground(mip));
+            toward_all(image, &view(corner, coarse::nodes(after.size)), &Ground::coarse(change, mip));
         }
         for cells in change.extent.cells(mip as u32, &change.texels[mip]) {
             patches::write(image, map[0], corner, (after, change.extent.wraps), &cells, |texel, patch| {
@@ -118,19 +108,6 @@ fn toward_all<const N: usize>(image: &mut [[u32; N]], view: &View, ground: &Grou
     }
 }
 
-impl Ground {
-    fn changed(
-        &self,
-        stored: &Stored,
-        is_reached: &(impl Fn([usize; 2], u16) -> bool + Sync),
-    ) -> Vec<(Part, Vec<u16>)> {
-        if self.texels.is_empty() {
-            return Vec::new();
-        }
-        changed(stored, (&self.maps[0], &self.maps[1]), &self.texels, is_reached)
-    }
-}
-
 impl View {
     /// All of an image.
     fn of(size: [u32; 2]) -> Self {
@@ -153,20 +130,5 @@ impl View {
             let code = codes[(cell[1] - part[1].start) * part[0].len() + cell[0] - part[0].start];
             visit(self.at([x, y]), cell.map(|at| at as u32), code);
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::heightfield::Border;
-
-    #[test]
-    fn a_difference_holds_all_texels_that_differ() {
-        let map = |texels: [u16; 12]| Heights::new([4, 3], Border::Wrap, Texels::U16(texels.to_vec())).unwrap();
-        let before = map([0; 12]);
-        assert_eq!(difference(&[before.clone(), before.clone()]), None);
-        let after = map([0, 0, 1, 0, 0, 1, 0, 0, 0, 0, 0, 1]);
-        assert_eq!(difference(&[after, before]), Some([1..4, 0..3]));
     }
 }

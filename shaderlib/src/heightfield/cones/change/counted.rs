@@ -28,7 +28,7 @@ pub(super) struct Counted {
 
 impl Counted {
     pub(super) fn new(cones: Cones, wrap: bool, size: [u32; 2]) -> Self {
-        let farthest = size[0].max(size[1]) as usize;
+        let farthest = size[0].max(size[1]) as usize - 1;
         let (mut ahead, mut behind) = (vec![f64::INFINITY], Vec::new());
         if cones.are_square() {
             let levels = rings(wrap, size);
@@ -53,7 +53,7 @@ impl Counted {
     }
 }
 
-/// The largest share of a ring that something so many cells off can lie in.
+/// The largest share of a ring that something so many cells off can lie in, or what counts in the middle of its diagonal.
 fn share(levels: &[Vec<Ring>], away: usize) -> f64 {
     let of = |(level, rings): (usize, &Vec<Ring>)| {
         // It is so many nodes off, or one more.

@@ -16,8 +16,9 @@ use super::part::{Part, codes, squares, with_any};
 use super::stored::Stored;
 use crate::heightfield::{Border, Heights};
 
-/// More than what is found in f32 may be off.
+/// More than what is found in f32 may be off: a part of it, and where f32 lacks digits.
 const ROUNDING: f64 = 1e-6;
+const LEAST: f64 = f32::MIN_POSITIVE as f64;
 
 /// The codes of all parts in which a change of some texels may have reached a cone. `is_reached` is asked whether a slope with a
 /// code would be as steep as what is stored at a place, or steeper.
@@ -36,7 +37,7 @@ pub(crate) fn changed(
 }
 
 /// How high the tip of a cone is.
-fn tip(heights: &Heights, cones: Cones, at: [usize; 2]) -> f64 {
+pub(crate) fn tip(heights: &Heights, cones: Cones, at: [usize; 2]) -> f64 {
     let [x, y] = at.map(|at| at as i64);
     match cones.are_square() {
         true => heights.corners(x, y).into_iter().fold(f64::MIN, f64::max),
@@ -79,8 +80,9 @@ impl Change {
     ) -> bool {
         let share = self.shares[0][at[0]].min(self.shares[1][at[1]]);
         let from = |tip: f64| {
-            let slope = (self.highest - tip) * share * (1.0 + ROUNDING);
-            slope > 0.0 && is_reached(at, stored.code(slope))
+            // In f32, as it is found: the way up may be longer than the longest f32.
+            let climb = f64::from(self.highest as f32 - tip as f32);
+            climb > 0.0 && is_reached(at, stored.code(climb * share * (1.0 + ROUNDING) + LEAST))
         };
         // A tip is no lower than the texel, and most texels are asked no more.
         share.is_infinite() || from(after.texel(at)) && from(tip(after, stored.cones, at))

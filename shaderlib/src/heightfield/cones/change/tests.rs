@@ -34,23 +34,37 @@ fn rectangle(size: [u32; 2], random: &mut Random) -> [Range<u32>; 2] {
     })
 }
 
+/// A map of 16 bits as one of 8, or as one of floats, some of them below 0.
+fn as_kind(heights: &Heights, kind: i64) -> Heights {
+    let Texels::U16(values) = heights.texels() else { panic!("a map of 16 bits") };
+    let texels = match kind {
+        0 => Texels::U8(values.iter().map(|value| (value >> 8) as u8).collect()),
+        1 => Texels::F32(values.iter().map(|value| f32::from(*value) * 0.037 - 500.0).collect()),
+        _ => return heights.clone(),
+    };
+    Heights::new(heights.size(), heights.border(), texels).unwrap()
+}
+
 /// Rectangles that become heaps, hollows and rubble, one after the other.
 fn update_again_and_again(mut heights: Heights, cones: Cones, random: &mut Random) {
-    let size = heights.size();
-    let mut updated = ConeMap::new(&heights, cones, &|_, _| ());
+    let (size, kind) = (heights.size(), random.between(0, 3));
+    let mut updated = ConeMap::new(&as_kind(&heights, kind), cones, &|_, _| ());
     for _ in 0..4 {
         let texels = rectangle(size, random);
-        let (kind, seed) = (random.between(0, 2), random.bits());
-        let after = patched(&heights, &texels, |at| match kind {
+        let (form, seed) = (random.between(0, 2), random.bits());
+        let after = patched(&heights, &texels, |at| match form {
             0 => 0,
             1 => u16::MAX,
             _ => (seed.wrapping_mul(at as u64 * 2 + 1) >> 48) as u16,
         });
-        let anew = ConeMap::new(&after, cones, &|_, _| ());
-        every_other_cone_is_reached([&heights, &after], [&updated, &anew], &texels);
-        updated.update(&heights, &after, &texels);
+        let maps = [&heights, &after].map(|map| as_kind(map, kind));
+        let anew = ConeMap::new(&maps[1], cones, &|_, _| ());
+        if updated.unit == anew.unit {
+            every_other_cone_is_reached(maps.each_ref(), [&updated, &anew], &texels);
+        }
+        updated.update(&maps[0], &maps[1], &texels);
         heights = after;
-        assert!(updated == anew, "{size:?} {:?} {cones:?} {texels:?} {kind}", heights.border());
+        assert!(updated == anew, "{size:?} {:?} {cones:?} {texels:?} {form} {kind}", heights.border());
     }
 }
 
@@ -84,18 +98,33 @@ fn an_update_equals_cones_built_anew() {
 }
 
 #[test]
-fn floats_whose_range_changes_get_another_unit() {
-    let values: Vec<f32> = (0..64 * 64).map(|at| (at * 37 % 101) as f32).collect();
-    let before = Heights::new([64, 64], Border::Wrap, Texels::F32(values.clone())).unwrap();
-    for height in [50.0, 1e6] {
+fn floats_whose_range_grows_get_another_unit() {
+    let values: Vec<f32> = (0..128 * 16).map(|at| (at * 37 % 101) as f32).collect();
+    let before = Heights::new([128, 16], Border::Wrap, Texels::F32(values.clone())).unwrap();
+    for cones in KINDS {
         let mut after = values.clone();
-        after[64 * 20 + 7] = height;
-        let after = Heights::new([64, 64], Border::Wrap, Texels::F32(after)).unwrap();
-        for cones in KINDS {
-            let mut updated = ConeMap::new(&before, cones, &|_, _| ());
-            updated.update(&before, &after, &[7..8, 20..21]);
-            assert!(updated == ConeMap::new(&after, cones, &|_, _| ()), "{cones:?} {height}");
-        }
+        after[128 * 9 + 7] = 1e6;
+        let after = Heights::new([128, 16], Border::Wrap, Texels::F32(after)).unwrap();
+        let mut updated = ConeMap::new(&before, cones, &|_, _| ());
+        let unit = updated.unit;
+        updated.update(&before, &after, &[7..8, 9..10]);
+        assert!(updated.unit > unit && updated == ConeMap::new(&after, cones, &|_, _| ()), "{cones:?}");
+    }
+}
+
+/// From the lowest to the highest number it is farther than the highest number.
+#[test]
+fn floats_may_lie_as_far_apart_as_there_are_any() {
+    let map = |height: f32| {
+        let mut values = vec![-2e38; 160];
+        (values[0], values[140]) = (2e38, height);
+        Heights::new([160, 1], Border::Clamp, Texels::F32(values)).unwrap()
+    };
+    let (before, after) = (map(2e38), map(1e38));
+    for cones in KINDS {
+        let mut updated = ConeMap::new(&before, cones, &|_, _| ());
+        updated.update(&before, &after, &[140..141, 0..1]);
+        assert!(updated == ConeMap::new(&after, cones, &|_, _| ()), "{cones:?}");
     }
 }
 
