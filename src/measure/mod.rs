@@ -33,7 +33,7 @@ pub use histogram::Histogram;
 pub use judge::{Fault, Judge};
 pub use maps::{BuiltIn, MAPS, UnknownMap};
 pub use plot::{Cost, Plot, PlotError};
-pub use pyramids::{Built, pyramids, pyramids_csv, pyramids_table};
+pub use pyramids::{Built, Spent, pyramids, pyramids_csv, pyramids_table};
 pub use recommend::{Candidate, Recommendation, recommend};
 pub use report::{blocks, csv, table};
 pub use row::Row;

@@ -29,15 +29,15 @@ pub struct Built {
     /// Bytes to a texel of the map.
     pub bytes: f64,
     /// On all cores.
-    pub host: Times,
+    pub host: Spent,
     /// On the device, from the map in the processor's memory until all that shaders read is there, placed heights as
     /// well; `None` without a device, and for what it does not build.
-    pub device: Option<Times>,
+    pub device: Option<Spent>,
 }
 
 /// Milliseconds by the wall's clock: the middle of several.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Times {
+pub struct Spent {
     /// For all of it.
     pub build: f64,
     /// For what a stroke of 32 by 32 texels in the middle changes.
@@ -53,7 +53,7 @@ pub fn pyramids(subject: &Subject, rounds: u32, gpu: Option<&Gpu>) -> Result<Vec
     let stroke = Stroke::new(heights);
     let texels = heights.size().map(f64::from).iter().product::<f64>();
     let mut all = Vec::new();
-    let mut add = |form, bounds: String, (host, bytes): (Times, usize), device| {
+    let mut add = |form, bounds: String, (host, bytes): (Spent, usize), device| {
         let (map, side) = (subject.name.clone(), heights.size()[0]);
         all.push(Built { map, side, form, bounds, bytes: bytes as f64 / texels, host, device });
     };
@@ -82,7 +82,7 @@ pub fn pyramids(subject: &Subject, rounds: u32, gpu: Option<&Gpu>) -> Result<Vec
 }
 
 /// A wide pyramid, with the pyramid that it is packed from.
-fn wide(stroke: &Stroke, rounds: u32) -> Result<(Times, usize), RenderError> {
+fn wide(stroke: &Stroke, rounds: u32) -> Result<(Spent, usize), RenderError> {
     let build = |map: &Heights| {
         let pyramid = Pyramid::new(map, Bound::CellMax);
         let wide = Wide::over(&pyramid).map_err(|error| RenderError::Scene(error.to_string()))?;
@@ -97,25 +97,25 @@ fn wide(stroke: &Stroke, rounds: u32) -> Result<(Times, usize), RenderError> {
 }
 
 /// What a device takes for a pyramid.
-fn pyramid_on(gpu: &Gpu, stroke: &Stroke, bound: Bound, rounds: u32) -> Result<Times, RenderError> {
+fn pyramid_on(gpu: &Gpu, stroke: &Stroke, bound: Bound, rounds: u32) -> Result<Spent, RenderError> {
     let built = BuiltPyramid::new(gpu, &stroke.maps[0], bound)?;
     on(gpu, rounds, stroke, &built, |built, map, texels| built.update(map, texels))
 }
 
 /// What a device takes for the textures of a method.
-fn placed_on(gpu: &Gpu, stroke: &Stroke, bounds: Bounds, rounds: u32) -> Result<Times, RenderError> {
+fn placed_on(gpu: &Gpu, stroke: &Stroke, bounds: Bounds, rounds: u32) -> Result<Spent, RenderError> {
     let textures: Vec<MapTexture> = bounds.surface().into_iter().chain([MapTexture::Bounds(bounds)]).collect();
     let built = Textures::new(gpu, &stroke.maps[0], &textures)?;
     on(gpu, rounds, stroke, &built, |built, map, texels| built.update(map, texels))
 }
 
-/// Times what is built, and brought up to date with a stroke that comes and goes.
+/// Spent what is built, and brought up to date with a stroke that comes and goes.
 fn times<T>(
     rounds: u32,
     stroke: &Stroke,
     build: &dyn Fn(&Heights) -> Result<T, RenderError>,
     update: &dyn Fn(&mut T, &Heights) -> Result<(), RenderError>,
-) -> Result<(Times, T), RenderError> {
+) -> Result<(Spent, T), RenderError> {
     let mut built = None;
     let whole = timed(rounds, |_| {
         // Two at once may be more than there is room for.
@@ -125,7 +125,7 @@ fn times<T>(
     })?;
     let mut built = built.expect("there is at least one round");
     let part = timed(rounds, |round| update(&mut built, &stroke.maps[(round + 1) % 2]))?;
-    Ok((Times { build: whole, update: part }, built))
+    Ok((Spent { build: whole, update: part }, built))
 }
 
 /// The same until a device is done; it has nothing left to do when this begins.
@@ -135,7 +135,7 @@ fn on<T>(
     stroke: &Stroke,
     built: &T,
     update: impl Fn(&T, &Heights, &Region) -> Result<(), RenderError>,
-) -> Result<Times, RenderError> {
+) -> Result<Spent, RenderError> {
     gpu.wait()?;
     let until_done = |texels: &Region| {
         timed(rounds, |round| {
@@ -144,7 +144,7 @@ fn on<T>(
         })
     };
     let build = until_done(&stroke.maps[0].size().map(|side| 0..side))?;
-    Ok(Times { build, update: until_done(&stroke.texels)? })
+    Ok(Spent { build, update: until_done(&stroke.texels)? })
 }
 
 /// The bounds of all methods.

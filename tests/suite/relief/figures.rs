@@ -27,7 +27,9 @@ fn mountains() -> Option<Subject> {
 }
 
 fn shadows() -> Vec<Lighting> {
-    let cones = [(1, 0.0), (1, 32.0), (3, 0.0), (7, 0.0)].map(|(planes, coarse)| Lighting::Cone(planes, coarse));
+    // The last as graphs have it.
+    let cones =
+        [(1, 0.0), (1, 32.0), (3, 0.0), (7, 0.0), (7, 1.0)].map(|(planes, coarse)| Lighting::Cone(planes, coarse));
     let others = [
         Lighting::ParallaxPublished,
         Lighting::Parallax(16),

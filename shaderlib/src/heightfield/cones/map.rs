@@ -4,7 +4,7 @@ use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use super::change::changed;
-use super::part::{Part, bands, codes, standing, turns};
+use super::part::{Part, bands, codes, each, standing, turns};
 use super::stored::Stored;
 use crate::heightfield::{Heights, Texels};
 
@@ -95,18 +95,11 @@ impl ConeMap {
         self.place(standing(after, self.cones), changed);
     }
 
-    /// Takes the codes of some parts. Where none stands, it is that of the one before.
+    /// Takes the codes of some parts.
     fn place(&mut self, standing: [usize; 2], parts: impl IntoIterator<Item = (Part, Vec<u16>)>) {
-        let size = self.size.map(|side| side as usize);
+        let width = self.size[0] as usize;
         for (part, codes) in parts {
-            let ends = [0, 1].map(|axis| if part[axis].end == standing[axis] { size[axis] } else { part[axis].end });
-            let [columns, rows] = part;
-            for y in rows.start..ends[1] {
-                let codes = &codes[(y.min(rows.end - 1) - rows.start) * columns.len()..][..columns.len()];
-                let row = &mut self.codes[y * size[0]..][columns.start..ends[0]];
-                row[..columns.len()].copy_from_slice(codes);
-                row[columns.len()..].fill(codes[columns.len() - 1]);
-            }
+            each(&part, standing, self.size, &codes, |[x, y], _, code| self.codes[y * width + x] = code);
         }
     }
 

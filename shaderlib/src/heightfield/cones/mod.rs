@@ -22,7 +22,7 @@ mod windows;
 pub(crate) use change::{changed, tip};
 pub use code::Format;
 pub use map::{ConeMap, Cones};
-pub(crate) use part::{Part, standing};
+pub(crate) use part::{Part, each, standing};
 pub use report::{Report, report};
 pub use rings::{NEAR, Ring, rings};
 pub(crate) use stored::Stored;

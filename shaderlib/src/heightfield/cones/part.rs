@@ -60,3 +60,23 @@ pub(super) fn with_any(parts: Vec<Part>, is_one: &(impl Fn([usize; 2]) -> bool +
     let any = |[columns, rows]: &Part| rows.clone().any(|y| columns.clone().any(|x| is_one([x, y])));
     parts.into_par_iter().filter(any).collect()
 }
+
+/// Visits each texel of an image over a part of so many cones, with the cell of its cone and that cone's code: behind the last one it
+/// is that again.
+pub(crate) fn each(
+    part: &Part,
+    standing: [usize; 2],
+    size: [u32; 2],
+    codes: &[u16],
+    mut visit: impl FnMut([usize; 2], [u32; 2], u16),
+) {
+    let [across, down] = [0, 1].map(|axis| {
+        let is_last = part[axis].end == standing[axis];
+        part[axis].start..if is_last { size[axis] as usize } else { part[axis].end }
+    });
+    for (x, y) in down.flat_map(|y| across.clone().map(move |x| (x, y))) {
+        let cell = [x.min(part[0].end - 1), y.min(part[1].end - 1)];
+        let code = codes[(cell[1] - part[1].start) * part[0].len() + cell[0] - part[0].start];
+        visit([x, y], cell.map(|at| at as u32), code);
+    }
+}

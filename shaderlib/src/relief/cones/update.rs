@@ -5,7 +5,7 @@ use super::super::dirty::Region;
 use super::super::{coarse, patches};
 use super::{own, tip, twelve};
 use crate::heightfield::Heights;
-use crate::heightfield::cones::{Cones, Part, Stored, changed, standing};
+use crate::heightfield::cones::{Cones, Part, Stored, changed, each, standing};
 
 /// What cones of a map stand on, before and after.
 struct Ground {
@@ -59,8 +59,8 @@ pub(in crate::relief) fn plane(images: &mut [Vec<[u16; 2]>], cones: Cones, chang
         let reached = |at, code| stored.is_as_steep(code, image[view.at(at)][1]);
         let ground = Ground::of(change, mip);
         for (part, codes) in ground.changed(&stored, &reached) {
-            view.each(&part, standing(&ground.maps[1], cones), &codes, |at, cell, code| {
-                image[at] = [tip(&ground.maps[1], cones, cell), code];
+            each(&part, standing(&ground.maps[1], cones), view.size, &codes, |at, cell, code| {
+                image[view.at(at)] = [tip(&ground.maps[1], cones, cell), code];
             });
         }
     }
@@ -98,8 +98,8 @@ fn toward_all<const N: usize>(image: &mut [[u32; N]], view: &View, ground: &Grou
         let stored = Stored { cones: Cones::Quadrant(quadrant), unit: 1.0 };
         let reached = |at, code| code > 0 && twelve(code) >= image[view.at(at)][word] >> shift & 0xfff;
         for (part, codes) in ground.changed(&stored, &reached) {
-            view.each(&part, standing(&ground.maps[1], stored.cones), &codes, |at, cell, code| {
-                let texel = &mut image[at];
+            each(&part, standing(&ground.maps[1], stored.cones), view.size, &codes, |at, cell, code| {
+                let texel = &mut image[view.at(at)];
                 texel[word] = texel[word] & !(0xfff << shift) | twelve(code) << shift;
                 let tip = u32::from(tip(&ground.maps[1], stored.cones, cell));
                 [texel[0], texel[1]] = [texel[0] & 0xff_ffff | tip << 24, texel[1] & 0xff_ffff | tip >> 8 << 24];
@@ -116,19 +116,5 @@ impl View {
 
     fn at(&self, [x, y]: [usize; 2]) -> usize {
         (self.corner[1] + y) * self.row + self.corner[0] + x
-    }
-
-    /// Visits each texel over a part of so many cones, with the cell of its cone and that cone's code: behind the last one it is
-    /// that again.
-    fn each(&self, part: &Part, standing: [usize; 2], codes: &[u16], mut visit: impl FnMut(usize, [u32; 2], u16)) {
-        let [across, down] = [0, 1].map(|axis| {
-            let is_last = part[axis].end == standing[axis];
-            part[axis].start..if is_last { self.size[axis] as usize } else { part[axis].end }
-        });
-        for (x, y) in down.flat_map(|y| across.clone().map(move |x| (x, y))) {
-            let cell = [x.min(part[0].end - 1), y.min(part[1].end - 1)];
-            let code = codes[(cell[1] - part[1].start) * part[0].len() + cell[0] - part[0].start];
-            visit(self.at([x, y]), cell.map(|at| at as u32), code);
-        }
     }
 }

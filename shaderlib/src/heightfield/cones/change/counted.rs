@@ -21,8 +21,8 @@ pub(super) struct Counted {
     mirrors: &'static [Mirror],
     /// One over the least distance at which something that far off counts.
     ahead: Vec<f64>,
-    /// The nodes of each level, and the share of the first ring: there a cone toward one side is narrowed by what lies in its
-    /// own node, but to the other.
+    /// The sides of the nodes of each level, and the share of its first ring: a cone toward one side is narrowed there by what lies
+    /// to the other side as well, as far as its own node goes.
     behind: Vec<(usize, f64)>,
 }
 
