@@ -104,6 +104,7 @@ pub const WGPU_RELIEF_BUILD: &[SourceFile] = &[
     host!("relief/build_cones.wgsl"),
     host!("relief/build_cones_codes.wgsl"),
     host!("relief/build_cones_round.wgsl"),
+    host!("relief/build_cones_reached.wgsl"),
 ];
 
 /// The texts of a host, for materials without relief and with.

@@ -12,6 +12,11 @@ fn build_code(slope: f32) -> u32 {
     return min((bits + 0xfffu) >> 12u, 0xffffu);
 }
 
+/// Codes rounded up to twelve bits.
+fn build_twelve(codes: vec4u) -> vec4u {
+    return min((codes + 15u) >> vec4u(4u), vec4u(0xfffu));
+}
+
 /// Which of the slopes is stored, where it is one.
 override build_way: u32 = 0u;
 
@@ -27,13 +32,12 @@ fn build_cone(@builtin(position) position: vec4f) -> @location(0) vec2u {
     return vec2u(build_texel(at), build_code(textureLoad(build_slopes, at, 0i)[build_way]));
 }
 
-/// The codes of the four quadrants, rounded up to twelve bits each, and above them the halves of the tip's height.
+/// The codes of the four quadrants, of twelve bits each, and above them the halves of the tip's height.
 @fragment
 fn build_quadrants(@builtin(position) position: vec4f) -> @location(0) vec4u {
     let at = build_cell(position);
     let slopes = textureLoad(build_slopes, at, 0i);
-    let near = vec4u(build_code(slopes.x), build_code(slopes.y), build_code(slopes.z), build_code(slopes.w));
-    let codes = min((near + 15u) >> vec4u(4u), vec4u(0xfffu));
+    let codes = build_twelve(vec4u(build_code(slopes.x), build_code(slopes.y), build_code(slopes.z), build_code(slopes.w)));
     let tip = build_texel(at);
     let words = codes.xz | (codes.yw << vec2u(12u)) | (vec2u(tip & 0xffu, tip >> 8u) << vec2u(24u));
     return vec4u(words, 0u, 0u);

@@ -161,7 +161,11 @@ fn build_round_cone(@builtin(position) position: vec4f) -> @location(0) vec2u {
     if steepest == 0.0 {
         return vec2u(build_texel(at), 0xffffu);
     }
-    let ratio = inverseSqrt(steepest) * (1.0 - 1.0 / 524288.0);
+    return vec2u(build_texel(at), build_ratio_code(inverseSqrt(steepest) * (1.0 - 1.0 / 524288.0)));
+}
+
+/// The largest code whose ratio is not above one.
+fn build_ratio_code(ratio: f32) -> u32 {
     let bits = max(bitcast<u32>(ratio), build_narrowest) - build_narrowest;
-    return vec2u(build_texel(at), min(bits >> 12u, 0xffffu));
+    return min(bits >> 12u, 0xffffu);
 }

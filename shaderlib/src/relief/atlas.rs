@@ -62,7 +62,8 @@ pub(super) fn update<T: Copy + Ord + From<u16>>(
     }
 }
 
-fn each(regions: &[Region], mut visit: impl FnMut(u32, u32)) {
+/// Visits each node of some regions.
+pub(super) fn each(regions: &[Region], mut visit: impl FnMut(u32, u32)) {
     for [columns, rows] in regions {
         for y in rows.clone() {
             columns.clone().for_each(|x| visit(x, y));

@@ -62,7 +62,8 @@ pub(super) fn heights(mip: &Mip, border: Border) -> Heights {
 }
 
 /// The texels of the coarse map, of which it has so many columns and rows, that are corners of the nodes over some cells.
-pub(super) fn texels(cells: &[Region], size: [u32; 2], border: Border) -> Vec<Region> {
+#[must_use]
+pub fn texels(cells: &[Region], size: [u32; 2], border: Border) -> Vec<Region> {
     let nodes = (0..COARSE).fold(cells.to_vec(), |cells, _| halved(&cells));
     let along = |axis: usize, nodes: &Range<u32>| {
         let is_seam = border == Border::Wrap && nodes.end == size[axis];

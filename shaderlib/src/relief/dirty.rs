@@ -65,12 +65,7 @@ impl Extent {
     /// The nodes of the finest level of a mip whose surface depends on some of its texels. Filled up a map wraps.
     #[must_use]
     pub fn cells(&self, mip: u32, texels: &[Region]) -> Vec<Region> {
-        let side = self.filled.map(|side| side >> mip);
-        let along = |axis: usize, range: &Range<u32>| {
-            let first = (range.start == 0).then(|| side[axis] - 1..side[axis]);
-            std::iter::once(range.start.saturating_sub(1)..range.end).chain(first).collect::<Vec<_>>()
-        };
-        distinct(texels.iter().flat_map(|[x, y]| cross([along(0, x), along(1, y)])))
+        around(self.filled.map(|side| side >> mip), texels, 0)
     }
 
     /// Columns and rows of the image of all bounds.
@@ -116,6 +111,18 @@ impl Extent {
 pub fn halved(regions: &[Region]) -> Vec<Region> {
     let half = |range: &Range<u32>| range.start / 2..range.end.div_ceil(2);
     distinct(regions.iter().map(|[x, y]| [half(x), half(y)]))
+}
+
+/// Texels of a map that wraps in so many columns and rows, together with those one before them and so many behind.
+#[must_use]
+pub fn around(size: [u32; 2], texels: &[Region], behind: u32) -> Vec<Region> {
+    let along = |axis: usize, Range { start, end }: &Range<u32>| {
+        let side = size[axis];
+        let far = end + behind;
+        let again = [(*start == 0).then(|| side - 1..side), (far > side).then(|| 0..far - side)];
+        std::iter::once(start.saturating_sub(1)..far.min(side)).chain(again.into_iter().flatten()).collect::<Vec<_>>()
+    };
+    distinct(texels.iter().flat_map(|[x, y]| cross([along(0, x), along(1, y)])))
 }
 
 /// All pairs of columns and rows.

@@ -12,12 +12,16 @@ pub(super) struct Mip {
 }
 
 impl Mip {
+    /// As a map that wraps.
+    pub(super) fn heights(&self) -> Heights {
+        Heights::new(self.size, Border::Wrap, Texels::U16(self.texels.clone()))
+            .expect("a power of two is in range where no smaller side was beyond it")
+    }
+
     /// Its quadtree. Filled up a map wraps, whatever it did: the nodes behind the border are held against the first column as well,
     /// which bounds them all the same.
     pub(super) fn quadtree(&self, bound: Bound) -> Vec<Level<u16>> {
-        let whole = Heights::new(self.size, Border::Wrap, Texels::U16(self.texels.clone()))
-            .expect("a power of two is in range where no smaller side was beyond it");
-        match Pyramid::new(&whole, bound).into_levels() {
+        match Pyramid::new(&self.heights(), bound).into_levels() {
             Levels::U16(levels) => levels,
             Levels::U8(_) | Levels::F32(_) => unreachable!("a pyramid has the texels of its map"),
         }

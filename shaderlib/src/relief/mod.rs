@@ -20,8 +20,8 @@ mod strip;
 mod texture;
 mod update;
 
-pub use coarse::{COARSE, LARGE};
-pub use dirty::{Extent, Region, halved};
+pub use coarse::{COARSE, LARGE, texels as coarse_texels};
+pub use dirty::{Extent, Region, around, halved};
 pub use displacement::{Displacement, Undefined};
 pub use family::MethodError;
 pub use field::Field;

@@ -8,7 +8,7 @@ use super::mips::{self, Mip};
 use super::{Field, MapTexture, Plane, Words, atlas, coarse, cones, patches, strip, update};
 use crate::heightfield::cones::Cones;
 use crate::heightfield::pyramid::{Bound, CHILDREN, Wide};
-use crate::heightfield::{Border, Heights, Texels};
+use crate::heightfield::{Heights, Texels};
 
 /// What a method knows of the empty space over a map.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -217,15 +217,12 @@ fn wide(mips: &[Mip], fields: &mut [Field]) -> Plane {
     Plane { size, words: Words::Rgba32(image) }
 }
 
-/// The levels whose nodes the map has whole. A map of fewer cells than children is repeated.
+/// The levels whose nodes the map has whole.
 fn wide_of(mip: &Mip) -> Wide {
-    let size = mip.size.map(|side| side.max(CHILDREN));
-    let columns = |y: u32| (0..size[0]).map(move |x| y % mip.size[1] * mip.size[0] + x % mip.size[0]);
-    let texels = (0..size[1]).flat_map(columns).map(|index| mip.texels[index as usize]).collect();
-    let whole = Heights::new(size, Border::Wrap, Texels::U16(texels))
-        .expect("a power of two is in range where no smaller side was beyond it");
-    let mut pyramid = Wide::new(&whole).expect("16-bit heights are steps");
-    pyramid.levels.truncate((size[0].min(size[1]).ilog2() / 2) as usize);
+    let repeated = strip::repeated(mip);
+    let heights = repeated.as_ref().unwrap_or(mip).heights();
+    let mut pyramid = Wide::new(&heights).expect("16-bit heights are steps");
+    pyramid.levels.truncate(strip::counts(mip.size).len());
     pyramid
 }
 

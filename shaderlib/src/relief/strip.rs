@@ -1,7 +1,10 @@
 //! One image for the wide pyramids of all mips of a map: a strip of nodes, broken into rows.
 
-use super::Extent;
-use crate::heightfield::pyramid::{CHILDREN, Wide};
+use super::atlas;
+use super::changed::Changed;
+use super::dirty::{Extent, halved};
+use super::mips::Mip;
+use crate::heightfield::pyramid::{Bound, CHILDREN, Wide, node_over};
 
 /// Nodes in a row of the image, and its columns.
 pub(super) const COLUMNS: usize = 1024;
@@ -93,6 +96,28 @@ pub(super) fn image(mips: &[Wide], firsts: &[usize]) -> Vec<[u32; 4]> {
         }
     }
     image
+}
+
+/// Packs the nodes over changed texels again.
+pub(super) fn update(image: &mut [[u32; 4]], change: &Changed<'_>) {
+    for ((index, mip), places) in (0..).zip(change.after).zip(wide_places(change.extent)) {
+        let finer = repeated(mip).as_ref().unwrap_or(mip).quadtree(Bound::CellMax);
+        // Of a side that is repeated all cells are under one node.
+        let mut nodes = change.extent.cells(index, &change.texels[index as usize]);
+        for (level, first) in places.into_iter().enumerate() {
+            nodes = halved(&halved(&nodes));
+            let columns = finer[0].size[0].div_ceil(CHILDREN << (2 * level));
+            atlas::each(&nodes, |x, y| image[first + (y * columns + x) as usize] = node_over(&finer, level, [x, y]));
+        }
+    }
+}
+
+/// A map of fewer cells than a node has children, repeated; `None` for others.
+pub(super) fn repeated(mip: &Mip) -> Option<Mip> {
+    let size = mip.size.map(|side| side.max(CHILDREN));
+    let columns = |y: u32| (0..size[0]).map(move |x| y % mip.size[1] * mip.size[0] + x % mip.size[0]);
+    let texels = || (0..size[1]).flat_map(columns).map(|index| mip.texels[index as usize]).collect();
+    (size != mip.size).then(|| Mip { size, texels: texels() })
 }
 
 #[cfg(test)]

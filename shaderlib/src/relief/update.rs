@@ -4,13 +4,14 @@ use super::changed::Changed;
 use super::cones::update as cones;
 use super::dirty::{Extent, Region, halved};
 use super::mips::{self, Mip};
-use super::{Bounds, Placed, Words, atlas, patches};
+use super::{Bounds, Placed, Words, atlas, patches, strip};
 use crate::heightfield::pyramid::Bound;
 use crate::heightfield::{Heights, Texels};
 
 impl Placed {
     /// Brings what depends on a rectangle of changed texels up to date, columns and rows inside the map: it is then as if it
-    /// were placed anew. `bounds` are those that it was placed with. Wide ones alone are packed anew.
+    /// were placed anew. `bounds` are those that it was placed with. Wide ones keep no maxima: they are found anew, and the nodes over
+    /// the rectangle packed from them.
     ///
     /// # Panics
     /// If the map has another size than that which was placed, is one of floats, or was placed with bounds of other texels.
@@ -22,10 +23,6 @@ impl Placed {
         let placed = (self.fields[0].last, self.tiled);
         assert_eq!(placed, (extent.last.map(|last| last as i32), extent.is_tiled()), "a map of another size");
         assert!(self.holds(bounds), "a map placed with other bounds than {bounds:?}");
-        if bounds == Bounds::Wide {
-            *self = Self::new(heights, bounds, self.fields[0].limit).expect("a map of floats where steps are placed");
-            return;
-        }
         let mut after = self.take_mips(&extent);
         let has_cones = matches!(bounds, Bounds::Cones(_) | Bounds::Quadrants | Bounds::Cells);
         let before = if has_cones { after.clone() } else { Vec::new() };
@@ -73,6 +70,7 @@ impl Placed {
             (Bounds::Cones(kind), Words::Rg16(images)) => cones::plane(images, kind, change),
             (Bounds::Quadrants, Words::Rg32(images)) => cones::quadrants(images, change),
             (Bounds::Cells, Words::Rgba32(image)) => cones::cells(image, change),
+            (Bounds::Wide, Words::Rgba32(image)) => strip::update(image, change),
             // None: what it holds has been asked.
             _ => (),
         }

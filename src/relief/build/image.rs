@@ -5,7 +5,7 @@ use terrane_shaderlib::heightfield::cones::Cones;
 use terrane_shaderlib::heightfield::pyramid::Bound;
 use terrane_shaderlib::relief::{Bounds, COARSE, Extent, MapTexture, Region};
 
-use super::cones::{Coarse, Rounds, Squares, Ways};
+use super::cones::{Coarse, Ground, Rounds, Squares, Ways};
 use super::level::{Level, texture};
 use super::mips::Mips;
 use super::passes::{Pass, Passes};
@@ -42,6 +42,8 @@ enum Drawing {
 pub(super) struct Change<'t> {
     pub(super) mip: u32,
     pub(super) heights: Level<'t>,
+    /// Its texels that may be others.
+    pub(super) texels: &'t [Region],
     /// The cells whose surface may be another.
     pub(super) cells: Vec<Region>,
     /// Every quadtree over it.
@@ -70,14 +72,12 @@ impl Image {
         }
         let format = format(wanted);
         let squares = |ways: Ways| Drawing::Squares(Box::new(Squares::new(passes, format, (extent, border), ways)));
-        let rounds =
-            |is_relaxed: bool| Drawing::Rounds(Box::new(Rounds::new(passes, format, (extent, border), is_relaxed)));
+        let rounds = |cones: Cones| Drawing::Rounds(Box::new(Rounds::new(passes, format, (extent, border), cones)));
         let wraps = [("build_wraps", f64::from(u8::from(extent.wraps)))];
         let drawing = match (wanted, bound(wanted)) {
             (MapTexture::Patches, _) => Drawing::Patches(passes.pass("build_patches", format, &wraps)),
             (MapTexture::Bounds(Bounds::Wide), _) => Drawing::Wide(Strip::new(passes, format, extent)),
-            (MapTexture::Bounds(Bounds::Cones(Cones::Step)), _) => rounds(false),
-            (MapTexture::Bounds(Bounds::Cones(Cones::Relaxed)), _) => rounds(true),
+            (MapTexture::Bounds(Bounds::Cones(cones @ (Cones::Step | Cones::Relaxed))), _) => rounds(cones),
             (MapTexture::Bounds(Bounds::Cones(Cones::Robust)), _) => squares(Ways::All),
             (MapTexture::Bounds(Bounds::Cones(Cones::Quadrant(number))), _) => squares(Ways::Quadrant(number)),
             (MapTexture::Bounds(Bounds::Quadrants), _) => squares(Ways::Quadrants),
@@ -114,21 +114,20 @@ impl Image {
                 }
             }
             Drawing::Squares(squares) => {
-                let image = Level::whole(&self.texture, change.mip);
-                squares.update(encoder, (image, [0, 0]), change.mip, change.heights);
+                squares.update(encoder, &change.ground(Level::whole(&self.texture, change.mip), [0, 0]));
             }
             Drawing::Cells(cells) => {
                 let (squares, coarse, patches) = &**cells;
                 let corner = extent.patches(change.mip);
-                squares.update(encoder, (image, corner), change.mip, change.heights);
+                squares.update(encoder, &change.ground(image, corner));
                 patches.draw_at(encoder, [change.heights, image], corner, &change.cells);
                 let levels = change.levels(Bound::CellMax);
                 if let (Some(corner), Some((nodes, _))) = (extent.coarse(change.mip), levels.get(COARSE as usize)) {
-                    coarse.update(encoder, (image, corner), change.mip, *nodes);
+                    coarse.update(encoder, &change.ground(image, corner), *nodes, &change.cells);
                 }
             }
             Drawing::Rounds(rounds) => {
-                rounds.update(encoder, Level::whole(&self.texture, change.mip), change.mip, change.heights);
+                rounds.update(encoder, &change.ground(Level::whole(&self.texture, change.mip), [0, 0]));
             }
             Drawing::Wide(strip) => strip.update(encoder, image, change.mip, change.levels(Bound::CellMax)),
         }
@@ -136,6 +135,11 @@ impl Image {
 }
 
 impl<'t> Change<'t> {
+    /// What cones stand on that are drawn at a corner of an image.
+    fn ground(&self, image: Level<'t>, corner: [u32; 2]) -> Ground<'t> {
+        Ground { mip: self.mip, heights: self.heights, texels: self.texels, image, corner, size: self.heights.size }
+    }
+
     /// The levels of a quadtree over it.
     fn levels(&self, bound: Bound) -> &[Drawn<'t>] {
         self.quadtrees.iter().find(|(other, _)| *other == bound).map_or(&[], |(_, levels)| levels)

@@ -7,12 +7,13 @@
 //!                               a level of a bound --Coarse--> cones over its nodes
 //! ```
 //!
-//! Every arrow is a pass that draws, and draws only what a rectangle has changed; of cones it draws all.
+//! Every arrow is a pass that draws, and draws only what a rectangle has changed; of cones the parts in which it reaches one.
 
 mod cones;
 mod image;
 mod level;
 mod mips;
+mod parts;
 mod passes;
 mod pyramid;
 mod quadtrees;
@@ -77,9 +78,8 @@ impl<'a> Built<'a> {
         Ok(built)
     }
 
-    /// Brings what depends on a rectangle of changed texels up to date: columns and rows inside the map. Cones are built anew,
-    /// whatever has changed: one texel may be the steepest that any of them sees, and which ones it is passes do not ask, as
-    /// [`ConeMap::update`](terrane_shaderlib::heightfield::cones::ConeMap::update) does.
+    /// Brings what depends on a rectangle of changed texels up to date: columns and rows inside the map. Cones are built anew
+    /// where it may have reached one, as [`ConeMap::update`](terrane_shaderlib::heightfield::cones::ConeMap::update) asks.
     ///
     /// # Errors
     /// Those of [`Self::new`].
@@ -114,10 +114,10 @@ impl<'a> Built<'a> {
     }
 
     /// Draws the quadtrees over some texels of a mip.
-    fn over(&self, encoder: &mut wgpu::CommandEncoder, mip: usize, texels: &[Region]) -> Change<'_> {
+    fn over<'t>(&'t self, encoder: &mut wgpu::CommandEncoder, mip: usize, texels: &'t [Region]) -> Change<'t> {
         let heights = self.mips.level(mip as u32);
         let cells = self.extent.cells(mip as u32, texels);
-        let mut change = Change { mip: mip as u32, heights, cells, quadtrees: Vec::new() };
+        let mut change = Change { mip: mip as u32, heights, texels, cells, quadtrees: Vec::new() };
         for quadtrees in &self.quadtrees {
             let nodes = if quadtrees.bound == Bound::TexelMax { texels } else { &change.cells };
             let levels = quadtrees.update(encoder, mip, heights, nodes);

@@ -6,6 +6,7 @@ use terrane_shaderlib::relief::Region;
 use wgpu::util::{BufferInitDescriptor, DeviceExt as _};
 
 use super::level::Level;
+use super::parts::{Parts, SIDE};
 use crate::render::{Gpu, RenderError};
 
 /// What every pass is made of.
@@ -14,6 +15,7 @@ pub(super) struct Passes<'a> {
     pub(super) gpu: &'a Gpu,
     source: wgpu::BindGroupLayout,
     module: wgpu::ShaderModule,
+    pub(super) parts: Parts,
 }
 
 /// Where a pass draws: `BuildPart` of `hosts/relief/build.wgsl`, but for the size of the source.
@@ -31,6 +33,13 @@ struct DevicePart {
     corner: [u32; 2],
     first: [u32; 2],
     behind: [u32; 2],
+}
+
+/// What is drawn of a target.
+enum Drawn<'a> {
+    Regions(&'a [Region]),
+    /// Those parts that are reached, of a level with such a corner and size.
+    Parts([u32; 2], [u32; 2]),
 }
 
 /// One of them, for targets of one kind.
@@ -53,7 +62,7 @@ impl<'a> Passes<'a> {
                 label: Some("relief's passes"),
                 source: wgpu::ShaderSource::Wgsl(hosts::join(hosts::WGPU_RELIEF_BUILD).into()),
             });
-            Self { gpu, source, module }
+            Self { gpu, source, module, parts: Parts::new(&gpu.device, &gpu.queue) }
         })
     }
 
@@ -75,11 +84,40 @@ impl<'a> Passes<'a> {
         constants: &[(&str, f64)],
         beside: Option<&wgpu::BindGroupLayout>,
     ) -> Pass {
+        self.compiled(
+            ("build_vertex", &[]),
+            (entry, constants),
+            target.into(),
+            &[beside][..usize::from(beside.is_some())],
+        )
+    }
+
+    /// One that draws those parts of a level that are reached, or are read where one up to so many parts behind is.
+    pub(super) fn pass_of_parts(
+        &self,
+        entry: &str,
+        target: impl Into<wgpu::ColorTargetState>,
+        constants: &[(&str, f64)],
+        (beside, before): (Option<&wgpu::BindGroupLayout>, u32),
+    ) -> Pass {
+        let vertex = [("build_before", f64::from(before)), ("build_side", f64::from(SIDE))];
+        let beside = [beside, Some(&self.parts.layout)];
+        self.compiled(("build_part_vertex", &vertex), (entry, constants), target.into(), &beside)
+    }
+
+    fn compiled(
+        &self,
+        (vertex, vertex_constants): (&str, &[(&str, f64)]),
+        (entry, constants): (&str, &[(&str, f64)]),
+        target: wgpu::ColorTargetState,
+        beside: &[Option<&wgpu::BindGroupLayout>],
+    ) -> Pass {
+        let options = |constants| wgpu::PipelineCompilationOptions { constants, ..Default::default() };
         let device = self.gpu.device.clone();
-        let groups = [Some(&self.source), beside];
+        let groups: Vec<_> = std::iter::once(Some(&self.source)).chain(beside.iter().copied()).collect();
         let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
             label: Some(entry),
-            bind_group_layouts: &groups[..1 + usize::from(beside.is_some())],
+            bind_group_layouts: &groups,
             ..Default::default()
         });
         let pipeline = device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
@@ -87,8 +125,8 @@ impl<'a> Passes<'a> {
             layout: Some(&layout),
             vertex: wgpu::VertexState {
                 module: &self.module,
-                entry_point: Some("build_vertex"),
-                compilation_options: wgpu::PipelineCompilationOptions::default(),
+                entry_point: Some(vertex),
+                compilation_options: options(vertex_constants),
                 buffers: &[],
             },
             primitive: wgpu::PrimitiveState::default(),
@@ -97,8 +135,8 @@ impl<'a> Passes<'a> {
             fragment: Some(wgpu::FragmentState {
                 module: &self.module,
                 entry_point: Some(entry),
-                compilation_options: wgpu::PipelineCompilationOptions { constants, ..Default::default() },
-                targets: &[Some(target.into())],
+                compilation_options: options(constants),
+                targets: &[Some(target)],
             }),
             multiview_mask: None,
             cache: None,
@@ -135,30 +173,31 @@ impl Pass {
         part: Part,
         regions: &[Region],
     ) {
-        self.draw_groups(encoder, levels, part, &[], regions);
+        self.draw_groups(encoder, levels, part, &[], &Drawn::Regions(regions));
     }
 
-    /// Draws a whole level with what it reads beside its source.
+    /// Draws a whole level with what it reads beside its source, which begins at a corner of its texture.
     pub(super) fn draw_beside(
         &self,
         encoder: &mut wgpu::CommandEncoder,
         levels: [Level<'_>; 2],
+        corner: [u32; 2],
         beside: &wgpu::BindGroup,
     ) {
         let whole = levels[1].size.map(|side| 0..side);
-        self.draw_groups(encoder, levels, Part::default(), &[beside], &[whole]);
+        let part = Part { corner, ..Part::default() };
+        self.draw_groups(encoder, levels, part, &[Some(beside)], &Drawn::Regions(&[whole]));
     }
 
-    /// The same for a level that begins elsewhere, and is so large.
-    pub(super) fn draw_beside_at(
+    /// Draws parts of a level that begins at a corner of its texture and has so many columns and rows.
+    pub(super) fn draw_parts(
         &self,
         encoder: &mut wgpu::CommandEncoder,
         levels: [Level<'_>; 2],
-        beside: &wgpu::BindGroup,
-        (corner, size): ([u32; 2], [u32; 2]),
+        part: Part,
+        (beside, parts): (Option<&wgpu::BindGroup>, &wgpu::BindGroup),
     ) {
-        let region = [0, 1].map(|axis| corner[axis]..corner[axis] + size[axis]);
-        self.draw_groups(encoder, levels, Part { corner, ..Part::default() }, &[beside], &[region]);
+        self.draw_groups(encoder, levels, part, &[beside, Some(parts)], &Drawn::Parts(part.corner, part.behind));
     }
 
     fn draw_groups(
@@ -166,8 +205,8 @@ impl Pass {
         encoder: &mut wgpu::CommandEncoder,
         [from, to]: [Level<'_>; 2],
         part: Part,
-        beside: &[&wgpu::BindGroup],
-        regions: &[Region],
+        beside: &[Option<&wgpu::BindGroup>],
+        drawn: &Drawn<'_>,
     ) {
         let group = self.bind(from, part);
         let view = to.view();
@@ -177,19 +216,16 @@ impl Pass {
             resolve_target: None,
             ops: wgpu::Operations { load: wgpu::LoadOp::Load, store: wgpu::StoreOp::Store },
         };
-        let mut drawn = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("relief's level"),
             color_attachments: &[Some(target)],
             ..Default::default()
         });
-        drawn.set_pipeline(&self.pipeline);
-        for (index, group) in std::iter::once(&group).chain(beside.iter().copied()).enumerate() {
-            drawn.set_bind_group(index as u32, group, &[]);
+        pass.set_pipeline(&self.pipeline);
+        for (index, group) in std::iter::once(Some(&group)).chain(beside.iter().copied()).enumerate() {
+            pass.set_bind_group(index as u32, group, &[]);
         }
-        for [x, y] in regions {
-            drawn.set_scissor_rect(x.start, y.start, x.end - x.start, y.end - y.start);
-            drawn.draw(0..3, 0..1);
-        }
+        drawn.draw(&mut pass);
     }
 
     fn bind(&self, from: Level<'_>, Part { corner, first, behind }: Part) -> wgpu::BindGroup {
@@ -207,6 +243,25 @@ impl Pass {
                 wgpu::BindGroupEntry { binding: 1, resource: part.as_entire_binding() },
             ],
         })
+    }
+}
+
+impl Drawn<'_> {
+    fn draw(&self, pass: &mut wgpu::RenderPass<'_>) {
+        match self {
+            Self::Regions(regions) => {
+                for [x, y] in *regions {
+                    pass.set_scissor_rect(x.start, y.start, x.end - x.start, y.end - y.start);
+                    pass.draw(0..3, 0..1);
+                }
+            }
+            Self::Parts([x, y], [width, height]) => {
+                let [left, top, across, down] = [x, y, width, height].map(|number| *number as f32);
+                pass.set_viewport(left, top, across, down, 0.0, 1.0);
+                pass.set_scissor_rect(*x, *y, *width, *height);
+                pass.draw(0..6, 0..width.div_ceil(SIDE) * height.div_ceil(SIDE));
+            }
+        }
     }
 }
 
@@ -229,5 +284,5 @@ pub(super) const fn uniform(binding: u32) -> wgpu::BindGroupLayoutEntry {
 }
 
 const fn entry(binding: u32, ty: wgpu::BindingType) -> wgpu::BindGroupLayoutEntry {
-    wgpu::BindGroupLayoutEntry { binding, visibility: wgpu::ShaderStages::FRAGMENT, ty, count: None }
+    wgpu::BindGroupLayoutEntry { binding, visibility: wgpu::ShaderStages::VERTEX_FRAGMENT, ty, count: None }
 }

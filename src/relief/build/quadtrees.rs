@@ -77,17 +77,6 @@ impl Quadtrees {
         sizes.iter().enumerate().map(|(mip, size)| Level { texture, mip: mip as u32, layer: 0, size: *size })
     }
 
-    /// Draws all levels of a pyramid, and gives them.
-    pub(super) fn redraw<'t>(
-        &'t self,
-        encoder: &mut wgpu::CommandEncoder,
-        index: usize,
-        heights: Level<'_>,
-    ) -> Vec<Level<'t>> {
-        let finest = self.trees[index].sizes[0].map(|side| 0..side);
-        self.update(encoder, index, heights, &[finest]).into_iter().map(|(level, _)| level).collect()
-    }
-
     /// Draws some nodes of the finest level of a pyramid from the heights under it, and all nodes over them.
     pub(super) fn update<'t>(
         &'t self,

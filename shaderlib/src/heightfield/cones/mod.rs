@@ -19,6 +19,7 @@ mod square;
 mod stored;
 mod windows;
 
+pub use change::shares;
 pub(crate) use change::{changed, tip};
 pub use code::Format;
 pub use map::{ConeMap, Cones};

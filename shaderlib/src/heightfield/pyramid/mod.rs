@@ -15,6 +15,7 @@ use super::heights::{Heights, Texels};
 
 pub use self::bound::Bound;
 pub use self::level::Level;
+pub(crate) use self::wide::node_over;
 pub use self::wide::{CHILDREN, Wide};
 
 /// All levels, the finest first; the coarsest is one node.

@@ -133,23 +133,33 @@ fn children<T>(finer: &[Level<T>], level: usize) -> &Level<T> {
 
 /// Packs the nodes of a region.
 fn nodes<T: Copy + Into<u32> + Sync>(children: &Level<T>, into: &mut Level<[u32; 4]>, region: &Region, unit: u32) {
-    let last = children.size.map(|side| side - 1);
     let columns = region[0].start as usize..region[0].end as usize;
     let whole_rows = into.values.par_chunks_mut(into.size[0] as usize).enumerate();
     whole_rows.skip(region[1].start as usize).take(region[1].len()).for_each(|(y, nodes)| {
-        let rows = [0, 1, 2, 3].map(|row| children.row((CHILDREN * y as u32 + row).min(last[1])));
-        for (x, node) in columns.clone().zip(&mut nodes[columns.clone()]) {
-            let first = CHILDREN as usize * x;
-            let near = [0, 1, 2, 3].map(|column| (first + column).min(last[0] as usize));
-            *node = packed(
-                rows.map(|row| match row.get(first..).and_then(<[T]>::first_chunk) {
-                    Some(whole) => whole.map(Into::into),
-                    None => near.map(|column| row[column].into()),
-                }),
-                unit,
-            );
+        for (x, into) in columns.clone().zip(&mut nodes[columns.clone()]) {
+            *into = node(children, [x as u32, y as u32], unit);
         }
     });
+}
+
+/// Packs a node over its level of children.
+fn node<T: Copy + Into<u32>>(children: &Level<T>, [x, y]: [u32; 2], unit: u32) -> [u32; 4] {
+    let last = children.size.map(|side| side - 1);
+    let first = (CHILDREN * x) as usize;
+    let near = [0, 1, 2, 3].map(|column| (first + column).min(last[0] as usize));
+    let rows = [0, 1, 2, 3].map(|row| children.row((CHILDREN * y + row).min(last[1])));
+    packed(
+        rows.map(|row| match row.get(first..).and_then(<[T]>::first_chunk) {
+            Some(whole) => whole.map(Into::into),
+            None => near.map(|column| row[column].into()),
+        }),
+        unit,
+    )
+}
+
+/// The node of a level, from 0, over a quadtree of 16-bit heights.
+pub(crate) fn node_over(finer: &[Level<u16>], level: usize, at: [u32; 2]) -> [u32; 4] {
+    node(children(finer, level), at, u16::BITS - BASE)
 }
 
 /// A node: bounds over its base, rounded down from the largest height less one, so that one more is not below it.

@@ -5,9 +5,9 @@
 //! ```
 
 use terrane_shaderlib::heightfield::Border;
-use terrane_shaderlib::relief::{COARSE, Extent};
+use terrane_shaderlib::relief::{COARSE, Extent, Region, coarse_texels};
 
-use super::{Squares, Ways};
+use super::{Ground, Squares, Ways};
 use crate::relief::build::level::{Level, layers};
 use crate::relief::build::passes::{Pass, Passes};
 
@@ -15,6 +15,7 @@ use crate::relief::build::passes::{Pass, Passes};
 #[derive(Debug)]
 pub(in crate::relief::build) struct Coarse {
     device: wgpu::Device,
+    border: Border,
     corners: Pass,
     /// Columns and rows of the coarse map, and those of nodes, mip by mip.
     sizes: Vec<([u32; 2], [u32; 2])>,
@@ -37,25 +38,27 @@ impl Coarse {
         let constants = [("build_wraps", f64::from(u8::from(wraps)))];
         Self {
             device: passes.gpu.device.clone(),
+            border,
             corners: passes.pass("build_corners", CORNERS, &constants),
             squares: Squares::over(passes, target, (corners, border), Ways::Quadrants),
             sizes,
         }
     }
 
-    /// Draws all cones of a mip, from the quadtree over its cells.
-    pub(in crate::relief::build) fn update<'t>(
+    /// Draws the cones of a mip that a change of some of its cells may have reached, from the quadtree over them.
+    pub(in crate::relief::build) fn update(
         &self,
         encoder: &mut wgpu::CommandEncoder,
-        (image, corner): (Level<'_>, [u32; 2]),
-        mip: u32,
-        nodes: Level<'t>,
+        ground: &Ground<'_>,
+        nodes: Level<'_>,
+        cells: &[Region],
     ) {
-        let (size, places) = self.sizes[mip as usize];
-        let corners = layers(&self.device, CORNERS, size, 1);
-        let corners = Level::whole(&corners, 0);
-        self.corners.draw(encoder, nodes, corners, &[size.map(|side| 0..side)]);
-        self.squares.draw(encoder, image, (corner, places), (mip, corners));
+        let (corners, size) = self.sizes[ground.mip as usize];
+        let heights = layers(&self.device, CORNERS, corners, 1);
+        let heights = Level::whole(&heights, 0);
+        self.corners.draw(encoder, nodes, heights, &[corners.map(|side| 0..side)]);
+        let texels = coarse_texels(cells, corners, self.border);
+        self.squares.update(encoder, &Ground { heights, texels: &texels, size, ..*ground });
     }
 }
 

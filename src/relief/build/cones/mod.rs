@@ -2,24 +2,27 @@
 //!
 //! ```text
 //! heights --Quadtrees--> tips and maxima of them --Table--> of squares --Slopes--> slopes --codes--> a texture
+//!                        tips and a texture as it was --Reached--> which parts of it are drawn
 //! ```
 
 mod beside;
 mod coarse;
+mod reached;
 mod round;
 mod slopes;
 mod table;
 
 use terrane_shaderlib::heightfield::Border;
-use terrane_shaderlib::heightfield::cones::{SLOPE, STEEPER, rings};
+use terrane_shaderlib::heightfield::cones::{Cones, SLOPE, STEEPER, rings};
 use terrane_shaderlib::heightfield::pyramid::{Bound, level_sizes};
-use terrane_shaderlib::relief::Extent;
+use terrane_shaderlib::relief::{Extent, Region, around};
 
 use self::beside::Beside;
+use self::reached::Reached;
 use self::slopes::Slopes;
 use self::table::Tables;
 use super::level::Level;
-use super::passes::{Pass, Passes};
+use super::passes::{Part, Pass, Passes};
 use super::quadtrees::Quadtrees;
 
 pub(super) use self::coarse::Coarse;
@@ -32,9 +35,23 @@ pub(super) struct Squares {
     /// Columns and rows of texels, mip by mip.
     sizes: Vec<[u32; 2]>,
     tips: Quadtrees,
+    reached: Reached,
     tables: Tables,
     slopes: Slopes,
     codes: Pass,
+}
+
+/// What cones stand on, and where they are drawn.
+#[derive(Clone, Copy)]
+pub(super) struct Ground<'t> {
+    pub(super) mip: u32,
+    pub(super) heights: Level<'t>,
+    /// Texels of these that may be others.
+    pub(super) texels: &'t [Region],
+    /// Where cones are drawn: from a corner on, in so many columns and rows.
+    pub(super) image: Level<'t>,
+    pub(super) corner: [u32; 2],
+    pub(super) size: [u32; 2],
 }
 
 /// Which slopes are kept of a cell.
@@ -75,6 +92,11 @@ impl Squares {
             Ways::Quadrant(number) => ("build_cone", number % 4),
             Ways::Quadrants => ("build_quadrants", 0),
         };
+        let cones = match ways {
+            Ways::All => [Cones::Robust; 4],
+            Ways::Quadrant(number) => [Cones::Quadrant(number); 4],
+            Ways::Quadrants => [0, 1, 2, 3].map(Cones::Quadrant),
+        };
         let steeper = [("build_steeper", f64::from(STEEPER)), ("build_gentlest", zero), ("build_way", way.into())];
         let layout = Beside::layout(passes.gpu);
         Self {
@@ -82,37 +104,23 @@ impl Squares {
             tips: Quadtrees::new(passes, wgpu::TextureFormat::R16Uint, Bound::CellMax, trees),
             sizes,
             tables: Tables::new(passes, wraps),
-            codes: passes.pass_beside(entry, target, &steeper, Some(&layout)),
+            reached: Reached::new(passes, border, cones, &steeper),
+            codes: passes.pass_of_parts(entry, target, &steeper, (Some(&layout), 0)),
             slopes: Slopes::new(passes, layout, ways),
         }
     }
 
-    /// Draws all cones of a mip, since a single texel may narrow any. What that takes besides goes when the device is done.
-    pub(super) fn update(
-        &self,
-        encoder: &mut wgpu::CommandEncoder,
-        (image, corner): (Level<'_>, [u32; 2]),
-        mip: u32,
-        heights: Level<'_>,
-    ) {
-        let place = (corner, heights.size);
-        self.draw(encoder, image, place, (mip, heights));
-    }
-
-    /// The same where cones fill a part of so many columns and rows, which may be others than those of the heights.
-    fn draw(
-        &self,
-        encoder: &mut wgpu::CommandEncoder,
-        image: Level<'_>,
-        place: ([u32; 2], [u32; 2]),
-        (mip, heights): (u32, Level<'_>),
-    ) {
-        let heights = Level { size: self.sizes[mip as usize], ..heights };
-        let tips = self.tips.redraw(encoder, mip as usize, heights);
-        let table = self.tables.room(heights.size);
+    /// Draws the cones of a mip that a change may have reached. What that takes besides goes when the device is done.
+    pub(super) fn update(&self, encoder: &mut wgpu::CommandEncoder, ground: &Ground<'_>) {
+        let heights = Level { size: self.sizes[ground.mip as usize], ..ground.heights };
+        let ground = Ground { heights, ..*ground };
+        let cells = around(heights.size, ground.texels, 0);
+        let (tips, parts) = self.reached.update(encoder, &ground, &self.tips, &cells);
+        let table = self.tables.room(heights.size, &parts);
         table.ground(encoder, heights);
         let slopes = self.slopes.draw(encoder, &table, &tips, &rings(self.wraps, heights.size));
-        self.codes.draw_beside_at(encoder, [tips[0], image], &slopes, place);
+        let part = Part { corner: ground.corner, behind: ground.size, ..Part::default() };
+        self.codes.draw_parts(encoder, [tips[0], ground.image], part, (Some(&slopes), &parts));
     }
 }
 

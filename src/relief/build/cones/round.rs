@@ -1,12 +1,14 @@
 //! Round cones over the texels of a map and its mips.
 
 use terrane_shaderlib::heightfield::Border;
-use terrane_shaderlib::heightfield::cones::RATIO;
+use terrane_shaderlib::heightfield::cones::{Cones, RATIO};
 use terrane_shaderlib::heightfield::pyramid::level_sizes;
-use terrane_shaderlib::relief::Extent;
+use terrane_shaderlib::relief::{Extent, around};
 
+use super::Ground;
+use super::reached::Reached;
 use crate::relief::build::level::{Level, layers};
-use crate::relief::build::passes::{Pass, Passes, texture};
+use crate::relief::build::passes::{Part, Pass, Passes, texture};
 use crate::relief::build::quadtrees::Quadtrees;
 
 /// Nodes that a pass goes through: some drivers leave a shader's loops after 65535 rounds.
@@ -20,24 +22,25 @@ pub(in crate::relief::build) struct Rounds {
     sizes: Vec<[u32; 2]>,
     /// Four maxima to a node, one for each quadrant of directions.
     quadtrees: Quadtrees,
+    reached: Reached,
     beside: wgpu::BindGroupLayout,
     searched: Pass,
     codes: Pass,
 }
 
 impl Rounds {
-    /// Those of a map; `is_relaxed` for those that a ray may enter and not leave.
+    /// Those of a map.
     pub(in crate::relief::build) fn new(
         passes: &Passes<'_>,
         format: wgpu::TextureFormat,
         (extent, border): (&Extent, Border),
-        is_relaxed: bool,
+        cones: Cones,
     ) -> Self {
         let sizes = super::sizes(extent, border);
         let trees = sizes.iter().map(|size| (*size, level_sizes(*size).count() as u32));
         let flag = |is: bool| f64::from(u8::from(is));
         let wraps = ("build_wraps", flag(border == Border::Wrap));
-        let counting = [wraps, ("build_is_relaxed", flag(is_relaxed))];
+        let counting = [wraps, ("build_is_relaxed", flag(cones == Cones::Relaxed))];
         let finest = passes.pass("build_counting", COUNTING, &counting);
         let nodes = passes.pass("build_counting_nodes", COUNTING, &[]);
         let beside = layout(&passes.gpu.device);
@@ -46,32 +49,33 @@ impl Rounds {
         Self {
             device: passes.gpu.device.clone(),
             quadtrees: Quadtrees::with(passes, COUNTING, [finest, nodes], trees),
-            searched: passes.pass_beside("build_searched", KNOWN, &rounds, Some(&beside)),
-            codes: passes.pass_beside("build_round_cone", format, &narrowest, Some(&beside)),
+            reached: Reached::new(passes, border, [cones; 4], &narrowest),
+            searched: passes.pass_of_parts("build_searched", KNOWN, &rounds, (Some(&beside), 0)),
+            codes: passes.pass_of_parts("build_round_cone", format, &narrowest, (Some(&beside), 0)),
             sizes,
             beside,
         }
     }
 
-    /// Draws all cones of a mip, since a single texel may narrow any. What that takes besides goes when the device is done.
-    pub(in crate::relief::build) fn update(
-        &self,
-        encoder: &mut wgpu::CommandEncoder,
-        image: Level<'_>,
-        mip: u32,
-        heights: Level<'_>,
-    ) {
-        let heights = Level { size: self.sizes[mip as usize], ..heights };
-        self.quadtrees.redraw(encoder, mip as usize, heights);
+    /// Draws the cones of a mip that a change may have reached. What that takes besides goes when the device is done.
+    pub(in crate::relief::build) fn update(&self, encoder: &mut wgpu::CommandEncoder, ground: &Ground<'_>) {
+        let heights = Level { size: self.sizes[ground.mip as usize], ..ground.heights };
+        let ground = Ground { heights, ..*ground };
+        // Whether a texel counts its neighbours say.
+        let texels = around(heights.size, ground.texels, 1);
+        let (_, parts) = self.reached.update(encoder, &ground, &self.quadtrees, &texels);
         // New textures are zeros: nothing is steep, and the search is at the root.
         let pair = [0, 1].map(|_| layers(&self.device, KNOWN, heights.size, 1));
         let pair = pair.each_ref().map(|texture| Level::whole(texture, 0));
-        let beside = pair.map(|known| self.bind(mip as usize, known));
+        let beside = pair.map(|known| self.bind(ground.mip as usize, known));
         let passes = rounds(heights.size).div_ceil(ROUNDS) as usize;
+        let whole = Part { behind: heights.size, ..Part::default() };
         for pass in 0..passes {
-            self.searched.draw_beside(encoder, [heights, pair[(pass + 1) % 2]], &beside[pass % 2]);
+            let levels = [heights, pair[(pass + 1) % 2]];
+            self.searched.draw_parts(encoder, levels, whole, (Some(&beside[pass % 2]), &parts));
         }
-        self.codes.draw_beside(encoder, [heights, image], &beside[passes % 2]);
+        let whole = Part { behind: ground.size, ..Part::default() };
+        self.codes.draw_parts(encoder, [heights, ground.image], whole, (Some(&beside[passes % 2]), &parts));
     }
 
     fn bind(&self, mip: usize, known: Level<'_>) -> wgpu::BindGroup {

@@ -6,7 +6,7 @@ use super::Ways;
 use super::beside::Beside;
 use super::table::{CORNER, Table};
 use crate::relief::build::level::{Level, layers};
-use crate::relief::build::passes::{Pass, Passes};
+use crate::relief::build::passes::{Part, Pass, Passes};
 
 /// What draws them.
 #[derive(Debug)]
@@ -25,11 +25,11 @@ impl Slopes {
         };
         let constants =
             [CORNER, ("build_is_round_about", f64::from(u8::from(format == wgpu::TextureFormat::R32Float)))];
-        let steepened = passes.pass_beside("build_steepened", format, &constants, Some(&beside));
+        let steepened = passes.pass_of_parts("build_steepened", format, &constants, (Some(&beside), 0));
         Self { device: passes.gpu.device.clone(), beside, format, steepened }
     }
 
-    /// Draws those of all cells from their tips and the maxima of these, level by level with its rings, and gives them as what
+    /// Draws those of the table's parts from their tips and the maxima of these, level by level with its rings, and gives them as what
     /// is read beside the tips.
     pub(super) fn draw(
         &self,
@@ -47,7 +47,9 @@ impl Slopes {
         };
         for (level, (nodes, rings)) in tips.iter().zip(rings).enumerate() {
             table.draw(encoder, *nodes);
-            self.steepened.draw_beside(encoder, [tips[0], slopes(level + 1)], &bind(level, rings));
+            let whole = Part { behind: tips[0].size, ..Part::default() };
+            let read = (Some(&bind(level, rings)), table.parts);
+            self.steepened.draw_parts(encoder, [tips[0], slopes(level + 1)], whole, read);
         }
         bind(rings.len(), &[])
     }

@@ -1,11 +1,31 @@
 //! How near rings count what is some way off.
 
+use std::ops::Range;
+
 use super::super::map::Cones;
 use super::super::mirror::{Mirror, mirrors};
 use super::super::rings::{Ring, rings};
+use crate::heightfield::Border;
+
+/// For each column and each row of a map one over the least distance at which changed texels inside it can count for a cone there,
+/// in texels: for a place the smaller of both holds. It is infinite where both hold what has changed, and 0 where a cone is not
+/// narrowed by what lies that way. No cone changes unless the highest of these texels and of those beside them, before or after, is
+/// as steep by such a distance from its tip as the cone is.
+#[must_use]
+pub fn shares(cones: Cones, border: Border, size: [u32; 2], texels: &[Range<u32>; 2]) -> [Vec<f64>; 2] {
+    let wrap = border == Border::Wrap;
+    let counted = Counted::new(cones, wrap, size);
+    [0, 1].map(|axis| {
+        // Cells begin a texel before; and what falls to a texel begins there.
+        let first = i64::from(texels[axis].start) - 1;
+        let last = i64::from(texels[axis].end) - i64::from(cones.are_square());
+        let side = i64::from(size[axis]);
+        (0..side).map(|at| counted.share(axis, ways(at, [first, last], side, wrap))).collect()
+    })
+}
 
 /// How far it is toward larger numbers and toward smaller ones to what lies between two, of a side that may repeat.
-pub(super) fn ways(at: i64, [first, last]: [i64; 2], side: i64, wrap: bool) -> [Option<usize>; 2] {
+fn ways(at: i64, [first, last]: [i64; 2], side: i64, wrap: bool) -> [Option<usize>; 2] {
     if wrap {
         if (at - first).rem_euclid(side) <= last - first {
             return [Some(0); 2];
@@ -17,7 +37,7 @@ pub(super) fn ways(at: i64, [first, last]: [i64; 2], side: i64, wrap: bool) -> [
 }
 
 /// How what is some way off counts.
-pub(super) struct Counted {
+struct Counted {
     mirrors: &'static [Mirror],
     /// One over the least distance at which something that far off counts.
     ahead: Vec<f64>,
@@ -27,7 +47,7 @@ pub(super) struct Counted {
 }
 
 impl Counted {
-    pub(super) fn new(cones: Cones, wrap: bool, size: [u32; 2]) -> Self {
+    fn new(cones: Cones, wrap: bool, size: [u32; 2]) -> Self {
         let farthest = size[0].max(size[1]) as usize - 1;
         let (mut ahead, mut behind) = (vec![f64::INFINITY], Vec::new());
         if cones.are_square() {
@@ -42,7 +62,7 @@ impl Counted {
     }
 
     /// Of the mirrors the largest share.
-    pub(super) fn share(&self, axis: usize, ways: [Option<usize>; 2]) -> f64 {
+    fn share(&self, axis: usize, ways: [Option<usize>; 2]) -> f64 {
         let toward = |mirror: &Mirror| {
             let [ahead, behind] = if mirror[axis] { [ways[1], ways[0]] } else { ways };
             let ahead = ahead.map_or(0.0, |away| self.ahead[away]);

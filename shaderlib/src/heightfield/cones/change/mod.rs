@@ -10,11 +10,11 @@ mod tests;
 
 use std::ops::Range;
 
-use self::counted::{Counted, ways};
+pub use self::counted::shares;
 use super::map::Cones;
 use super::part::{Part, codes, squares, with_any};
 use super::stored::Stored;
-use crate::heightfield::{Border, Heights};
+use crate::heightfield::Heights;
 
 /// More than what is found in f32 may be off: a part of it, and where f32 lacks digits.
 const ROUNDING: f64 = 1e-6;
@@ -58,16 +58,7 @@ impl Change {
         let [columns, rows] = texels.clone().map(|range| i64::from(range.start) - 1..i64::from(range.end) + 1);
         let around = rows.flat_map(|y| columns.clone().map(move |x| (x, y)));
         let highest = around.flat_map(|(x, y)| maps.map(|map| map.height(x, y))).fold(f64::MIN, f64::max);
-        let (size, wrap) = (maps[1].size(), maps[1].border() == Border::Wrap);
-        let counted = Counted::new(cones, wrap, size);
-        let shares = [0, 1].map(|axis| {
-            // Cells begin a texel before; and what falls to a texel begins there.
-            let first = i64::from(texels[axis].start) - 1;
-            let last = i64::from(texels[axis].end) - i64::from(cones.are_square());
-            let side = i64::from(size[axis]);
-            (0..side).map(|at| counted.share(axis, ways(at, [first, last], side, wrap))).collect()
-        });
-        Self { highest, shares }
+        Self { highest, shares: shares(cones, maps[1].border(), maps[1].size(), texels) }
     }
 
     /// Whether the cone that stands at a place may be another: what has changed is there, or as steep from its tip as the cone.

@@ -1,6 +1,7 @@
 use super::super::ConeMap;
 use super::super::part::standing;
 use super::*;
+use crate::heightfield::Border;
 use crate::heightfield::Texels;
 use crate::heightfield::adversary::{Depth, LANDS, Land, Random, map};
 
