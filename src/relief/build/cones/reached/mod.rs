@@ -94,7 +94,7 @@ impl Reached {
             let longest = nodes.iter().map(|range| range.end - range.start).max().unwrap_or(1);
             let level = (longest.div_ceil(NODES).next_power_of_two().ilog2() as usize).min(levels.len() - 1);
             let first = nodes.each_ref().map(|range| range.start >> level);
-            let behind = nodes.each_ref().map(|range| (range.end - 1 >> level) + 1);
+            let behind = nodes.each_ref().map(|range| ((range.end - 1) >> level) + 1);
             let part = Part { first, behind, ..Part::default() };
             let to = Level::whole(highest, 0);
             self.highest.draw_part(encoder, [levels[level], to], part, &[[column..column + 1, row..row + 1]]);
