@@ -90,9 +90,10 @@ pub const WGPU_DEPTH: &[SourceFile] = &[host!("wgpu/depth.wgsl")];
 /// The renderer's own: from radiance to a picture. Entry points `resolve_vertex` and `resolve_fragment`.
 pub const WGPU_RESOLVE: &[SourceFile] = &[host!("wgpu/resolve.wgsl")];
 
-/// Relief's own: mips and bounds of a height map, made on the device. Entry points `build_vertex`, and for one level each
+/// Relief's own: mips and bounds of a height map, made on the device. Entry points `build_vertex`, or `build_part_vertex` for the parts
+/// of a level that `build_highest_node` and `build_reached` tell, and for one level each
 /// `build_fill` and `build_mip`, `build_cells` and `build_nodes`, `build_same`, `build_patches` and `build_wide`; for square cones
-/// `build_surrounded`, `build_joined`, `build_steepened`, and `build_cone` or `build_quadrants`; for round ones
+/// `build_corners`, `build_surrounded`, `build_joined`, `build_steepened`, and `build_cone` or `build_quadrants`; for round ones
 /// `build_counting`, `build_counting_nodes`, `build_searched` and `build_round_cone`.
 pub const WGPU_RELIEF_BUILD: &[SourceFile] = &[
     host!("relief/build.wgsl"),

@@ -117,3 +117,11 @@ fn a_map_is_updated_with_the_bounds_that_it_has() {
     let mut placed = Placed::new(&heights, Bounds::CellMax, 9).expect("whole steps");
     placed.update(&heights, Bounds::Cells, &[0..1, 0..1]);
 }
+
+#[test]
+#[should_panic(expected = "other bounds")]
+fn cells_are_not_updated_as_wide_nodes() {
+    let heights = Heights::new([4, 4], Border::Wrap, Texels::U16(vec![0; 16])).expect("a map");
+    let mut placed = Placed::new(&heights, Bounds::Cells, 9).expect("whole steps");
+    placed.update(&heights, Bounds::Wide, &[0..1, 0..1]);
+}

@@ -1,6 +1,7 @@
 //! Mips and bounds of a height map, made on the device: each pass draws one level from the one before it, in whole numbers, so
 //! that what comes out is what the host makes, to the last bit. Passes draw, since a 16-bit whole number is a colour that core
-//! WebGPU can draw and no texel that a compute pass can store; the rectangle that is brought up to date is the scissor's.
+//! WebGPU can draw and no texel that a compute pass can store; the rectangle that is brought up to date is the scissor's, and of cones
+//! it is the parts that `build_part_vertex` leaves.
 
 @group(0) @binding(0) var build_source: texture_2d<u32>;
 @group(0) @binding(1) var<uniform> build_part: BuildPart;
@@ -11,8 +12,8 @@ struct BuildPart {
     size: vec2i,
     /// The texel of the target that is the first of the level. For wide nodes: its number, and the columns of the target.
     corner: vec2i,
-    /// The first of the wide nodes that are drawn, and what is behind the last of them. Of squares that are joined `first` is
-    /// how far apart they begin.
+    /// The first of the wide nodes that are drawn, or of the nodes whose highest is drawn, and what is behind the last of them. Of
+    /// squares that are joined `first` is how far apart they begin; where parts are drawn `behind` is the columns and rows of the level.
     first: vec2i,
     behind: vec2i,
 }

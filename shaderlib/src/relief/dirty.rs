@@ -125,6 +125,13 @@ pub fn around(size: [u32; 2], texels: &[Region], behind: u32) -> Vec<Region> {
     distinct(texels.iter().flat_map(|[x, y]| cross([along(0, x), along(1, y)])))
 }
 
+/// What of a region lies inside so many columns and rows, if anything does: what a map that ends is filled with is none of its own.
+#[must_use]
+pub fn inside(region: &Region, size: [u32; 2]) -> Option<Region> {
+    let region = [0, 1].map(|axis| region[axis].start..region[axis].end.min(size[axis]));
+    region.iter().all(|range| !range.is_empty()).then_some(region)
+}
+
 /// All pairs of columns and rows.
 pub(super) fn cross([columns, rows]: [Vec<Range<u32>>; 2]) -> Vec<Region> {
     columns.iter().flat_map(|x| rows.iter().map(move |y| [x.clone(), y.clone()])).collect()

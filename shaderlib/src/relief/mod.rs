@@ -21,7 +21,7 @@ mod texture;
 mod update;
 
 pub use coarse::{COARSE, LARGE, texels as coarse_texels};
-pub use dirty::{Extent, Region, around, halved};
+pub use dirty::{Extent, Region, around, halved, inside};
 pub use displacement::{Displacement, Undefined};
 pub use family::MethodError;
 pub use field::Field;

@@ -4,7 +4,7 @@ use super::changed::Changed;
 use super::cones::update as cones;
 use super::dirty::{Extent, Region, halved};
 use super::mips::{self, Mip};
-use super::{Bounds, Placed, Words, atlas, patches, strip};
+use super::{Bounds, MapTexture, Placed, Words, atlas, patches, strip};
 use crate::heightfield::pyramid::Bound;
 use crate::heightfield::{Heights, Texels};
 
@@ -22,7 +22,7 @@ impl Placed {
         let extent = Extent::new(heights);
         let placed = (self.fields[0].last, self.tiled);
         assert_eq!(placed, (extent.last.map(|last| last as i32), extent.is_tiled()), "a map of another size");
-        assert!(self.holds(bounds), "a map placed with other bounds than {bounds:?}");
+        assert!(self.holds(bounds, &extent), "a map placed with other bounds than {bounds:?}");
         let mut after = self.take_mips(&extent);
         let has_cones = matches!(bounds, Bounds::Cones(_) | Bounds::Quadrants | Bounds::Cells);
         let before = if has_cones { after.clone() } else { Vec::new() };
@@ -36,17 +36,17 @@ impl Placed {
         }
     }
 
-    /// Whether it can have been placed with some bounds: those of texels and of cells look alike.
-    fn holds(&self, bounds: Bounds) -> bool {
-        let is_none = self.bounds.size == [1, 1];
-        match bounds {
-            Bounds::None => is_none,
-            Bounds::CellMax | Bounds::TexelMax => matches!(self.bounds.words, Words::R16(_)) && !is_none,
-            Bounds::Patches => matches!(self.bounds.words, Words::R32(_)),
-            Bounds::Cones(_) => matches!(self.bounds.words, Words::Rg16(_)),
-            Bounds::Quadrants => matches!(self.bounds.words, Words::Rg32(_)),
-            Bounds::Cells | Bounds::Wide => matches!(self.bounds.words, Words::Rgba32(_)),
-        }
+    /// Whether it can have been placed with some bounds: those of texels and of cells look alike, and all cones of a word.
+    fn holds(&self, bounds: Bounds, extent: &Extent) -> bool {
+        let is_as_large = self.bounds.size == MapTexture::Bounds(bounds).size_over(extent);
+        is_as_large
+            && match bounds {
+                Bounds::None | Bounds::CellMax | Bounds::TexelMax => matches!(self.bounds.words, Words::R16(_)),
+                Bounds::Patches => matches!(self.bounds.words, Words::R32(_)),
+                Bounds::Cones(_) => matches!(self.bounds.words, Words::Rg16(_)),
+                Bounds::Quadrants => matches!(self.bounds.words, Words::Rg32(_)),
+                Bounds::Cells | Bounds::Wide => matches!(self.bounds.words, Words::Rgba32(_)),
+            }
     }
 
     /// The heights of all mips. Those that are no patches are gone from here.

@@ -8,6 +8,7 @@
 //! ```
 //!
 //! Every arrow is a pass that draws, and draws only what a rectangle has changed; of cones the parts in which it reaches one.
+//! Whole are but the tables over nodes larger than cells, and the corners of coarse nodes.
 
 mod cones;
 mod image;

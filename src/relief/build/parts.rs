@@ -2,7 +2,7 @@
 
 use wgpu::util::{DeviceExt as _, TextureDataOrder};
 
-use super::passes::texture;
+use super::passes::{bound, texture};
 
 /// Cells along a part.
 pub(super) const SIDE: u32 = 32;
@@ -50,6 +50,6 @@ fn bind(device: &wgpu::Device, layout: &wgpu::BindGroupLayout, parts: &wgpu::Tex
     device.create_bind_group(&wgpu::BindGroupDescriptor {
         label: Some("relief's parts"),
         layout,
-        entries: &[wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(&view) }],
+        entries: &[bound(0, &view)],
     })
 }

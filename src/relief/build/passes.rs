@@ -238,10 +238,7 @@ impl Pass {
         self.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("relief's source"),
             layout: &self.source,
-            entries: &[
-                wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(&view) },
-                wgpu::BindGroupEntry { binding: 1, resource: part.as_entire_binding() },
-            ],
+            entries: &[bound(0, &view), wgpu::BindGroupEntry { binding: 1, resource: part.as_entire_binding() }],
         })
     }
 }
@@ -275,6 +272,11 @@ pub(super) const fn texture(
     view_dimension: wgpu::TextureViewDimension,
 ) -> wgpu::BindGroupLayoutEntry {
     entry(binding, wgpu::BindingType::Texture { sample_type, view_dimension, multisampled: false })
+}
+
+/// The texture that is bound there.
+pub(super) fn bound(binding: u32, view: &wgpu::TextureView) -> wgpu::BindGroupEntry<'_> {
+    wgpu::BindGroupEntry { binding, resource: wgpu::BindingResource::TextureView(view) }
 }
 
 /// Numbers that a pass reads.

@@ -1,7 +1,7 @@
 //! Cones and their tips after a part of a map has changed.
 
 use super::super::changed::Changed;
-use super::super::dirty::Region;
+use super::super::dirty::{Region, inside};
 use super::super::{coarse, patches};
 use super::{own, tip, twelve};
 use crate::heightfield::Heights;
@@ -23,12 +23,9 @@ struct View {
 impl Ground {
     fn of(change: &Changed<'_>, mip: usize) -> Self {
         let maps = [&change.before[mip], &change.after[mip]].map(|mip| own(change.heights, mip));
-        // What a map that ends is filled with is none of its own.
         let size = maps[1].size();
-        let inside = |texels: &Region| [0, 1].map(|axis| texels[axis].start..texels[axis].end.min(size[axis]));
-        let texels =
-            change.texels[mip].iter().map(inside).filter(|texels| texels.iter().all(|range| !range.is_empty()));
-        Self { texels: texels.collect(), maps }
+        let texels = change.texels[mip].iter().filter_map(|texels| inside(texels, size)).collect();
+        Self { texels, maps }
     }
 
     /// Of coarse nodes.

@@ -5,7 +5,7 @@ use terrane_shaderlib::heightfield::cones::{NEAR, Ring};
 use wgpu::util::{BufferInitDescriptor, DeviceExt as _};
 
 use crate::relief::build::level::Level;
-use crate::relief::build::passes::{texture, uniform};
+use crate::relief::build::passes::{bound, texture, uniform};
 use crate::render::Gpu;
 
 /// The second group of `hosts/relief/build_cones.wgsl`.
@@ -58,10 +58,7 @@ impl Beside<'_> {
         let table = self.table.create_view(&wgpu::TextureViewDescriptor::default());
         let views = [&table, &self.slopes.view()];
         let textures = views.into_iter().zip(0..);
-        let textures = textures.map(|(view, binding)| wgpu::BindGroupEntry {
-            binding,
-            resource: wgpu::BindingResource::TextureView(view),
-        });
+        let textures = textures.map(|(view, binding)| bound(binding, view));
         let rings = wgpu::BindGroupEntry { binding: 2, resource: rings.as_entire_binding() };
         let entries: Vec<_> = textures.chain([rings]).collect();
         device.create_bind_group(&wgpu::BindGroupDescriptor {

@@ -8,7 +8,7 @@ use terrane_shaderlib::relief::{Extent, around};
 use super::Ground;
 use super::reached::Reached;
 use crate::relief::build::level::{Level, layers};
-use crate::relief::build::passes::{Part, Pass, Passes, texture};
+use crate::relief::build::passes::{Part, Pass, Passes, bound, texture};
 use crate::relief::build::quadtrees::Quadtrees;
 
 /// Nodes that a pass goes through: some drivers leave a shader's loops after 65535 rounds.
@@ -81,12 +81,10 @@ impl Rounds {
     fn bind(&self, mip: usize, known: Level<'_>) -> wgpu::BindGroup {
         let quadtree = self.quadtrees.texture(mip).create_view(&wgpu::TextureViewDescriptor::default());
         let known = known.view();
-        let entry =
-            |binding, view| wgpu::BindGroupEntry { binding, resource: wgpu::BindingResource::TextureView(view) };
         self.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("relief's round cones"),
             layout: &self.beside,
-            entries: &[entry(4, &quadtree), entry(5, &known)],
+            entries: &[bound(4, &quadtree), bound(5, &known)],
         })
     }
 }

@@ -11,7 +11,7 @@ const SQUARES: u32 = NEAR.ilog2() + 1;
 /// Nodes around a level: the last corner of the farthest cell is one more away.
 const AROUND: u32 = NEAR as u32 + 1;
 
-/// Parts before one whose cells read what is drawn there.
+/// Parts before one whose cells read what is drawn there: a cell c reads the table from c + 1 to c + 2 `AROUND`.
 const BEFORE: u32 = (2 * AROUND).div_ceil(SIDE);
 
 /// What draws them.

@@ -4,11 +4,11 @@ use terrane::relief::Built;
 use terrane::render::Gpu;
 use terrane_shaderlib::heightfield::adversary::{Depth, LANDS, Random, SIZES, map};
 use terrane_shaderlib::heightfield::cones::{Cones, rings};
-use terrane_shaderlib::heightfield::{Border, Heights};
+use terrane_shaderlib::heightfield::{Border, Heights, Texels};
 use terrane_shaderlib::relief::{Bounds, MapTexture, planes};
 
 use super::changes::{changed, rectangles};
-use super::equal;
+use super::{differences, equal};
 use crate::relief::device;
 
 const SQUARE: [MapTexture; 4] = [
@@ -85,6 +85,37 @@ fn a_changed_texel_changes_cones_wherever_it_is_seen() {
     let small = [([16, 16], Border::Wrap), ([7, 5], Border::Clamp), ([15, 64], Border::Wrap)];
     small.into_iter().chain(FAR).for_each(|(size, border)| updated(&gpu, size, border, &SQUARE[..2]));
     small.into_iter().chain(FAR).for_each(|(size, border)| updated(&gpu, size, border, &ROUND));
+}
+
+/// What alone narrows all cones comes and goes, farther away than what is drawn again with it; coarse nodes of more than one part.
+#[test]
+fn a_peak_on_a_plain_comes_and_goes() {
+    let Some(gpu) = device() else { return };
+    let all: Vec<MapTexture> = SQUARE.into_iter().chain(ROUND).collect();
+    let places = [
+        (Border::Wrap, [256, 128], [200, 40], &all[..]),
+        (Border::Clamp, [200, 100], [199, 99], &all),
+        (Border::Wrap, [200, 100], [0, 0], &all),
+        (Border::Wrap, [1024, 32], [0, 3], &SQUARE[1..2]),
+        (Border::Clamp, [1000, 32], [900, 31], &SQUARE[1..2]),
+    ];
+    for (border, size, at, textures) in places {
+        let map = |height: u16| {
+            let mut values = vec![7; (size[0] * size[1]) as usize];
+            values[(at[1] * size[0] + at[0]) as usize] = height;
+            Heights::new(size, border, Texels::U16(values)).expect("a map")
+        };
+        let (flat, peak) = (map(7), map(50_000));
+        for [before, after] in [[&flat, &peak], [&peak, &flat]] {
+            let built = Built::new(&gpu, before, textures).expect("the device takes it");
+            built.update(after, &at.map(|at| at..at + 1)).expect("the device takes it");
+            let anew = Built::new(&gpu, after, textures).expect("the device takes it");
+            let [built, anew] = [built, anew].map(|built| built.read().expect("the device answers"));
+            for (texture, (built, anew)) in textures.iter().zip(built.iter().zip(&anew)) {
+                assert!(built == anew, "{texture:?} of {size:?} {border:?}: {:?}", differences(built, anew));
+            }
+        }
+    }
 }
 
 /// Whether round cones are those of the host or one code narrower, and no wider; how many are narrower, of how many.

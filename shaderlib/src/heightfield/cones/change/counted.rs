@@ -7,20 +7,22 @@ use super::super::mirror::{Mirror, mirrors};
 use super::super::rings::{Ring, rings};
 use crate::heightfield::Border;
 
-/// For each column and each row of a map one over the least distance at which changed texels inside it can count for a cone there,
-/// in texels: for a place the smaller of both holds. It is infinite where both hold what has changed, and 0 where a cone is not
+/// For each column and each row of a map one over the least distance at which rectangles of changed texels inside it can count for a
+/// cone there, in texels: for a place the smaller of both holds. It is infinite where both hold what has changed, and 0 where a cone is not
 /// narrowed by what lies that way. No cone changes unless the highest of these texels and of those beside them, before or after, is
 /// as steep by such a distance from its tip as the cone is.
 #[must_use]
-pub fn shares(cones: Cones, border: Border, size: [u32; 2], texels: &[Range<u32>; 2]) -> [Vec<f64>; 2] {
+pub fn shares(cones: Cones, border: Border, size: [u32; 2], texels: &[[Range<u32>; 2]]) -> [Vec<f64>; 2] {
     let wrap = border == Border::Wrap;
     let counted = Counted::new(cones, wrap, size);
     [0, 1].map(|axis| {
-        // Cells begin a texel before; and what falls to a texel begins there.
-        let first = i64::from(texels[axis].start) - 1;
-        let last = i64::from(texels[axis].end) - i64::from(cones.are_square());
         let side = i64::from(size[axis]);
-        (0..side).map(|at| counted.share(axis, ways(at, [first, last], side, wrap))).collect()
+        // Cells begin a texel before; and what falls to a texel begins there.
+        let span = |texels: &[Range<u32>; 2]| {
+            [i64::from(texels[axis].start) - 1, i64::from(texels[axis].end) - i64::from(cones.are_square())]
+        };
+        let share = |at, texels| counted.share(axis, ways(at, span(texels), side, wrap));
+        (0..side).map(|at| texels.iter().map(|texels| share(at, texels)).fold(0.0, f64::max)).collect()
     })
 }
 

@@ -58,7 +58,7 @@ impl Change {
         let [columns, rows] = texels.clone().map(|range| i64::from(range.start) - 1..i64::from(range.end) + 1);
         let around = rows.flat_map(|y| columns.clone().map(move |x| (x, y)));
         let highest = around.flat_map(|(x, y)| maps.map(|map| map.height(x, y))).fold(f64::MIN, f64::max);
-        Self { highest, shares: shares(cones, maps[1].border(), maps[1].size(), texels) }
+        Self { highest, shares: shares(cones, maps[1].border(), maps[1].size(), std::slice::from_ref(texels)) }
     }
 
     /// Whether the cone that stands at a place may be another: what has changed is there, or as steep from its tip as the cone.

@@ -9,13 +9,13 @@ mod tests;
 
 use terrane_shaderlib::heightfield::Border;
 use terrane_shaderlib::heightfield::cones::{Cones, shares};
-use terrane_shaderlib::relief::Region;
+use terrane_shaderlib::relief::{Region, inside};
 use wgpu::util::{DeviceExt as _, TextureDataOrder};
 
 use super::Ground;
 use crate::relief::build::level::{Level, layers};
 use crate::relief::build::parts::{FORMAT, Parts, SIDE};
-use crate::relief::build::passes::{Part, Pass, Passes, texture};
+use crate::relief::build::passes::{Part, Pass, Passes, bound, texture};
 use crate::relief::build::quadtrees::Quadtrees;
 
 /// What draws them.
@@ -32,11 +32,11 @@ pub(super) struct Reached {
     reached: Pass,
 }
 
-/// Nodes along the longest side of a rectangle whose highest is looked for.
-const NODES: u32 = 8;
+/// Nodes whose highest is looked for one by one: those over a square of changed texels are 9 by 9 at most.
+const NODES: u32 = 81;
 /// More than what is found in f32 may be off.
-const ROUNDING: f64 = 1.0 + 1e-6;
-/// A share that shaders take for one without end.
+const ROUNDING: f64 = 1e-6;
+/// A share without end: more than `build_here`, and finite. Where one quadrant has it all have.
 const HERE: f64 = 1e30;
 
 impl Reached {
@@ -91,10 +91,12 @@ impl Reached {
         (highest, row): (&wgpu::Texture, u32),
     ) {
         for (column, nodes) in (0..).zip(nodes) {
-            let longest = nodes.iter().map(|range| range.end - range.start).max().unwrap_or(1);
-            let level = (longest.div_ceil(NODES).next_power_of_two().ilog2() as usize).min(levels.len() - 1);
-            let first = nodes.each_ref().map(|range| range.start >> level);
-            let behind = nodes.each_ref().map(|range| ((range.end - 1) >> level) + 1);
+            let over =
+                |level: usize| nodes.each_ref().map(|range| range.start >> level..((range.end - 1) >> level) + 1);
+            let is_little =
+                |level: &usize| over(*level).iter().map(|range| range.end - range.start).product::<u32>() <= NODES;
+            let level = (0..levels.len() - 1).find(is_little).unwrap_or(levels.len() - 1);
+            let [first, behind] = [over(level).map(|range| range.start), over(level).map(|range| range.end)];
             let part = Part { first, behind, ..Part::default() };
             let to = Level::whole(highest, 0);
             self.highest.draw_part(encoder, [levels[level], to], part, &[[column..column + 1, row..row + 1]]);
@@ -105,27 +107,25 @@ impl Reached {
         let device = &self.device;
         let shares = self.shares(ground);
         let [shares, highest] = [&shares, highest].map(|texture| texture.create_view(&Default::default()));
-        let entry =
-            |binding, view| wgpu::BindGroupEntry { binding, resource: wgpu::BindingResource::TextureView(view) };
         device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("relief's changes"),
             layout: &self.beside,
-            entries: &[entry(6, &shares), entry(7, &highest)],
+            entries: &[bound(6, &shares), bound(7, &highest)],
         })
     }
 
-    /// A row for columns and one for rows: toward each quadrant the largest share of any of the rectangles.
+    /// A row for columns and one for rows: toward each quadrant the largest share of any of the rectangles, or that toward all.
     fn shares(&self, ground: &Ground<'_>) -> wgpu::Texture {
         let size = ground.heights.size;
         let side = size[0].max(size[1]);
         let mut texels = vec![[0.0f32; 4]; 2 * side as usize];
-        for region in ground.texels.iter().filter_map(|texels| inside(texels, size)) {
-            for (quadrant, cones) in self.cones.into_iter().enumerate() {
-                let axes = shares(cones, self.border, size, &region);
-                for (row, shares) in texels.chunks_exact_mut(side as usize).zip(axes) {
-                    for (texel, share) in row.iter_mut().zip(shares) {
-                        texel[quadrant] = texel[quadrant].max((share * ROUNDING).min(HERE) as f32);
-                    }
+        let changed: Vec<Region> = ground.texels.iter().filter_map(|texels| inside(texels, size)).collect();
+        let is_one = self.cones[0] == self.cones[1];
+        for (quadrant, cones) in self.cones.into_iter().enumerate().take(if is_one { 1 } else { 4 }) {
+            let axes = shares(cones, self.border, size, &changed);
+            for (row, shares) in texels.chunks_exact_mut(side as usize).zip(axes) {
+                for (texel, share) in row.iter_mut().zip(shares) {
+                    texel[quadrant] = (share * (1.0 + ROUNDING)).min(HERE) as f32;
                 }
             }
         }
@@ -143,12 +143,6 @@ impl Reached {
         let bytes = bytemuck::cast_slice(&texels);
         self.device.create_texture_with_data(&self.queue, &descriptor, TextureDataOrder::LayerMajor, bytes)
     }
-}
-
-/// What lies inside so many columns and rows: what a map that ends is filled with is none of its own.
-fn inside(region: &Region, size: [u32; 2]) -> Option<Region> {
-    let region = [0, 1].map(|axis| region[axis].start..region[axis].end.min(size[axis]));
-    region.iter().all(|range| !range.is_empty()).then_some(region)
 }
 
 const HIGHEST: wgpu::TextureFormat = wgpu::TextureFormat::R16Uint;
