@@ -1,5 +1,7 @@
 //! One level of numbers, as a pass reads or draws it.
 
+use wgpu::util::{DeviceExt as _, TextureDataOrder};
+
 use crate::render::Gpu;
 
 /// A mip of a layer of a texture.
@@ -50,6 +52,18 @@ pub(super) fn texture(
 /// One that only passes draw and read, of several layers.
 pub(super) fn layers(device: &wgpu::Device, format: wgpu::TextureFormat, size: [u32; 2], count: u32) -> wgpu::Texture {
     device.create_texture(&descriptor(format, size, count))
+}
+
+/// One that passes only read, of these texels.
+pub(super) fn filled(
+    (device, queue): (&wgpu::Device, &wgpu::Queue),
+    format: wgpu::TextureFormat,
+    size: [u32; 2],
+    texels: &[u8],
+) -> wgpu::Texture {
+    let usage = wgpu::TextureUsages::TEXTURE_BINDING;
+    let descriptor = wgpu::TextureDescriptor { usage, ..descriptor(format, size, 1) };
+    device.create_texture_with_data(queue, &descriptor, TextureDataOrder::LayerMajor, texels)
 }
 
 const DRAWN: wgpu::TextureUsages = wgpu::TextureUsages::TEXTURE_BINDING.union(wgpu::TextureUsages::RENDER_ATTACHMENT);

@@ -1,7 +1,6 @@
 //! Which parts of a level are drawn: the device says so itself, in a texture of one texel to a part.
 
-use wgpu::util::{DeviceExt as _, TextureDataOrder};
-
+use super::level::filled;
 use super::passes::{bound, texture};
 
 /// Cells along a part.
@@ -25,18 +24,8 @@ impl Parts {
             label: Some("relief's parts"),
             entries: &[texture(0, wgpu::TextureSampleType::Uint, wgpu::TextureViewDimension::D2)],
         });
-        let one = wgpu::TextureDescriptor {
-            label: Some("relief's parts"),
-            size: wgpu::Extent3d::default(),
-            mip_level_count: 1,
-            sample_count: 1,
-            dimension: wgpu::TextureDimension::D2,
-            format: FORMAT,
-            usage: wgpu::TextureUsages::TEXTURE_BINDING,
-            view_formats: &[],
-        };
         // Behind the last part are those like it.
-        let one = device.create_texture_with_data(queue, &one, TextureDataOrder::LayerMajor, &[1]);
+        let one = filled((device, queue), FORMAT, [1, 1], &[1]);
         Self { all: bind(device, &layout, &one), layout, device: device.clone() }
     }
 

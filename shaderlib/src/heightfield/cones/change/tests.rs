@@ -1,9 +1,8 @@
 use super::super::ConeMap;
 use super::super::part::standing;
 use super::*;
-use crate::heightfield::Border;
-use crate::heightfield::Texels;
 use crate::heightfield::adversary::{Depth, LANDS, Land, Random, map};
+use crate::heightfield::{Border, Texels};
 
 const KINDS: [Cones; 7] = [
     Cones::Step,

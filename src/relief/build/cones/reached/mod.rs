@@ -10,10 +10,9 @@ mod tests;
 use terrane_shaderlib::heightfield::Border;
 use terrane_shaderlib::heightfield::cones::{Cones, shares};
 use terrane_shaderlib::relief::{Region, inside};
-use wgpu::util::{DeviceExt as _, TextureDataOrder};
 
 use super::Ground;
-use crate::relief::build::level::{Level, layers};
+use crate::relief::build::level::{Level, filled, layers};
 use crate::relief::build::parts::{FORMAT, Parts, SIDE};
 use crate::relief::build::passes::{Part, Pass, Passes, bound, texture};
 use crate::relief::build::quadtrees::Quadtrees;
@@ -129,19 +128,8 @@ impl Reached {
                 }
             }
         }
-        let size = wgpu::Extent3d { width: side, height: 2, depth_or_array_layers: 1 };
-        let descriptor = wgpu::TextureDescriptor {
-            label: Some("relief's shares"),
-            size,
-            mip_level_count: 1,
-            sample_count: 1,
-            dimension: wgpu::TextureDimension::D2,
-            format: wgpu::TextureFormat::Rgba32Float,
-            usage: wgpu::TextureUsages::TEXTURE_BINDING,
-            view_formats: &[],
-        };
-        let bytes = bytemuck::cast_slice(&texels);
-        self.device.create_texture_with_data(&self.queue, &descriptor, TextureDataOrder::LayerMajor, bytes)
+        let (format, bytes) = (wgpu::TextureFormat::Rgba32Float, bytemuck::cast_slice(&texels));
+        filled((&self.device, &self.queue), format, [side, 2], bytes)
     }
 }
 

@@ -17,7 +17,7 @@ const KINDS: [(MapTexture, [f64; 2], [f64; 2]); 3] = [
 
 const SIDE: u32 = 128;
 
-/// Texels in a corner of the map, those beside which end at column and row 12.
+/// Columns, and rows, of the texels that change: from the first to what is behind the last.
 const TEXELS: [u32; 2] = [5, 12];
 
 /// Puts one value in all texels of all mips.
